@@ -1,0 +1,12 @@
+# What every target of carom is compiled with: the floating-point contract and the warnings.
+
+# No contraction and no fast-math: each operation is rounded once, as written. Public, because the headers hold the arithmetic.
+function(carom_floating_point_contract target)
+  target_compile_options(${target} PUBLIC -ffp-contract=off)
+  target_compile_definitions(${target} PUBLIC $<$<CONFIG:Debug,RelWithDebInfo>:CAROM_CHECKS>)
+endfunction()
+
+function(carom_warnings target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+    $<$<BOOL:${CAROM_WARNINGS_AS_ERRORS}>:-Werror>)
+endfunction()
