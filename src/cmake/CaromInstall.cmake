@@ -1,12 +1,20 @@
 # install(), export and the package files for find_package(carom).
 include(CMakePackageConfigHelpers)
 
-install(TARGETS carom EXPORT caromTargets
-  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(DIRECTORY include/carom DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
-install(EXPORT caromTargets NAMESPACE carom:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/carom)
+set(carom_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/carom)
+
+install(TARGETS carom EXPORT caromTargets)
+install(DIRECTORY include/carom TYPE INCLUDE FILES_MATCHING PATTERN "*.hpp")
+install(EXPORT caromTargets NAMESPACE carom:: DESTINATION ${carom_package_dir})
+
 configure_package_config_file(src/cmake/caromConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/caromConfig.cmake
-  INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/carom)
+  INSTALL_DESTINATION ${carom_package_dir})
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/caromConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/caromConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/caromConfigVersion.cmake
-  DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/carom)
+  DESTINATION ${carom_package_dir})
+
+# The program, if it was built.
+if(TARGET carom_program)
+  set_target_properties(carom_program PROPERTIES INSTALL_RPATH $ORIGIN/../${CMAKE_INSTALL_LIBDIR})
+  install(TARGETS carom_program OPTIONAL)
+endif()

@@ -1,0 +1,22 @@
+#pragma once
+// Free flight: straight lines at constant velocity.
+
+#include "carom/core/vec.hpp"
+
+namespace carom {
+
+/// x(s) = x + v s, v(s) = v.
+template <class RealType, int Dimension>
+struct FreeFlight {
+  using Real = RealType;
+  static constexpr int dimension = Dimension;
+  static constexpr bool accelerated = false;
+  static constexpr const char* name = "free flight";
+  using Vector = Vec<Real, Dimension>;
+
+  [[nodiscard]] Vector position(const Vector& x, const Vector& v, bool, const Real& s) const { return x + v * s; }
+  [[nodiscard]] Vector velocity(const Vector& v, bool, const Real&) const { return v; }
+  [[nodiscard]] Vector acceleration(bool) const { return Vector::Zero(); }
+};
+
+}  // namespace carom

@@ -1,0 +1,17 @@
+#pragma once
+// What a motion is: position and velocity as functions of the time since the state was stored.
+
+#include <concepts>
+
+namespace carom {
+
+/// Position, velocity and acceleration a time s >= 0 after the stored state (x, v); `fixed` balls stay where they are.
+template <class M>
+concept Motion = requires(const M& m, const typename M::Vector& x, const typename M::Real& s) {
+  { m.position(x, x, false, s) } -> std::convertible_to<typename M::Vector>;
+  { m.velocity(x, false, s) } -> std::convertible_to<typename M::Vector>;
+  { m.acceleration(false) } -> std::convertible_to<typename M::Vector>;
+  { M::accelerated } -> std::convertible_to<bool>;
+};
+
+}  // namespace carom

@@ -1,0 +1,33 @@
+#pragma once
+// A circle in 2-D, a sphere in 3-D, with the balls inside or outside of it. Radius 0 is a point: a vertex or an end.
+
+#include <cstdint>
+
+#include "carom/core/id.hpp"
+#include "carom/core/vec.hpp"
+
+namespace carom {
+
+template <class Real, int D>
+struct Sphere {
+  WallId wall{};
+  std::int32_t feature = 0;
+  Vec<Real, D> centre;    ///< [length unit] at the world's start
+  Vec<Real, D> velocity;  ///< [length unit / L]
+  Real radius = Real(0);  ///< [length unit]
+  bool inside = true;     ///< the balls are inside (a concave wall)
+
+  [[nodiscard]] Real gap(const Vec<Real, D>& x) const {
+    using std::sqrt;
+    const Vec<Real, D> r = x - centre;
+    const Real distance = sqrt(dot<Real, D>(r, r));
+    return inside ? radius - distance : distance - radius;
+  }
+  /// Towards the balls; not normalised at the centre itself.
+  [[nodiscard]] Vec<Real, D> normal(const Vec<Real, D>& x) const {
+    const Vec<Real, D> r = x - centre;
+    return inside ? Vec<Real, D>(-r) : r;
+  }
+};
+
+}  // namespace carom

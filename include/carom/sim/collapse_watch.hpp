@@ -1,0 +1,57 @@
+#pragma once
+// Recognises infinitely many impacts in finite time: an accumulation of dissipating impacts, or a contact that never ends.
+
+#include <cstdint>
+#include <vector>
+
+#include "carom/core/clock.hpp"
+
+namespace carom {
+
+/// Follows each ball's unbroken streak of dissipating impacts (restitution below 1). Over blocks of `block` impacts the
+/// durations d of an accumulation fall geometrically, so the rest of the streak takes d q / (1 - q), q = d / (duration of the
+/// block before). The streak is a collapse when that rest is no tick of the clock. A streak that takes no time at all is a
+/// persistent contact after `instant_limit` impacts: relative speeds, which shrink by a factor at each, have then left the
+/// range of rounding long ago. Elastic impacts break a streak, so no elastic sequence is ever a collapse.
+template <class Real>
+class CollapseWatch {
+ public:
+  static constexpr std::uint32_t block = 16;
+  static constexpr std::uint32_t instant_limit = 4096;
+
+  void reset(std::size_t balls) { streaks_.assign(balls, Streak{}); }
+  [[nodiscard]] bool watching() const noexcept { return !streaks_.empty(); }
+
+  void end_streak(std::uint32_t ball) {
+    if (watching()) streaks_[ball] = Streak{};
+  }
+
+  /// Counts a dissipating impact of `ball` at `now`; true if it belongs to a collapse.
+  [[nodiscard]] bool collapses(std::uint32_t ball, const Time<Real>& now) {
+    Streak& s = streaks_[ball];
+    s.instant = s.count > 0 && now == s.last ? s.instant + 1 : 0;
+    s.last = now;
+    if (s.count == 0) s.block_start = now;
+    ++s.count;
+    if (s.instant >= instant_limit) return true;
+    if (s.count % block != 0) return false;
+    const Real duration = elapsed(s.block_start, now);
+    const Real before = s.duration;
+    s.block_start = now;
+    s.duration = duration;
+    if (s.count < 2 * block || !(duration > 0) || !(duration < before)) return false;
+    const Real q = duration / before;
+    return after(now, Real(duration * q / (1 - q))) == now;
+  }
+
+ private:
+  struct Streak {
+    std::uint32_t count = 0;
+    std::uint32_t instant = 0;
+    Time<Real> last, block_start;
+    Real duration = Real(0);
+  };
+  std::vector<Streak> streaks_;
+};
+
+}  // namespace carom

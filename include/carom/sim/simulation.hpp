@@ -1,0 +1,83 @@
+#pragma once
+// A scene, running: the composition that it needs, chosen from the compiled ones, behind one type.
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "carom/predict/event.hpp"
+#include "carom/scene/scene.hpp"
+#include "carom/sim/audit.hpp"
+#include "carom/sim/summary.hpp"
+
+namespace carom {
+
+/// A collision in the user's units; components beyond the dimension are 0.
+struct Collision {
+  struct Party {
+    std::uint32_t number = 0;  ///< of the ball, or of the wall
+    std::array<double, 3> position{};
+    std::array<std::int64_t, 3> image{};
+    std::array<double, 3> velocity_before{}, velocity_after{};
+  };
+  double time = 0.0;         ///< [time] rounded; epoch and offset hold all of it
+  std::int64_t epoch = 0;
+  double offset = 0.0;       ///< [time] since the epoch began
+  EventKind kind = EventKind::none;
+  Party ball, partner;
+  std::int32_t feature = 0;  ///< of the wall
+  std::array<double, 3> normal{}, point{};
+  double impulse = 0.0, gap = 0.0, restitution = 1.0, dissipated = 0.0, injected = 0.0;
+  bool tie = false;
+};
+
+using CollisionSink = std::function<void(const Collision&)>;
+
+/// What runs a scene, and why that was chosen.
+struct Composition {
+  std::string motion, search, queue;
+  std::vector<std::string> reasons;
+
+  [[nodiscard]] std::string text() const;
+};
+
+class Simulation {
+ public:
+  /// Throws InputError.
+  explicit Simulation(const Scene& scene);
+  ~Simulation();
+  Simulation(Simulation&&) noexcept;
+  Simulation& operator=(Simulation&&) noexcept;
+
+  /// Runs to the end that the scene gives.
+  Stop run(const CollisionSink& sink = {});
+
+  /// Goes on to the moment `until` (events at it included) or through `events` more collisions, whichever comes first.
+  /// Looking, sampling and stopping in between change nothing of what follows.
+  Stop advance(const std::optional<Number>& until, std::optional<std::int64_t> events = std::nullopt,
+               const CollisionSink& sink = {}, const std::atomic<bool>* interrupt = nullptr);
+
+  [[nodiscard]] double time() const;         ///< [time] that the run has reached
+  [[nodiscard]] Summary summary() const;     ///< at time()
+  [[nodiscard]] const EventCounts& counts() const;
+  [[nodiscard]] BallState ball(std::uint32_t number) const;  ///< at time()
+  [[nodiscard]] std::vector<BallState> balls() const;        ///< those that are left, at time()
+  [[nodiscard]] std::string wall_label(std::uint32_t wall) const;
+  [[nodiscard]] int dimension() const;
+  [[nodiscard]] double epoch_length() const;
+  [[nodiscard]] const Composition& composition() const;
+  /// Overlaps at time(), in the user's unit of length.
+  [[nodiscard]] Audit audit(AuditBy by = AuditBy::grid) const;
+
+  class Engine;
+
+ private:
+  std::unique_ptr<Engine> engine_;
+};
+
+}  // namespace carom

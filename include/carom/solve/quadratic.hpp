@@ -1,0 +1,133 @@
+#pragma once
+// Contact times without relative acceleration: two convex bodies, and a ball inside a circle or sphere.
+//
+//   |r + v t|^2 - sigma^2 = a t^2 + 2 b t + c,  a = v.v,  b = r.v,  c = r.r - sigma^2  [papers/contact_times.md, eq. 3]
+//   d = b^2 - a c = a sigma^2 - |r x v|^2                                              [eq. 5]
+//
+// For double a filter settles nearly every call in plain arithmetic; what it does not settle goes to pair_terms, where signs
+// are exact. So whether two bodies meet is the exact answer for the r, v and sigma given. Inputs are finite; components and
+// sigma that are not 0 lie within 2^-450 .. 2^450.
+
+#include "carom/core/vec.hpp"
+#include "carom/solve/gap.hpp"
+#include "carom/solve/pair_terms.hpp"
+
+namespace carom {
+
+/// Bound of the relative error of `meet_time` and `leave_time` for double, in units of u = 2^-53 [eq. 10, 11].
+inline constexpr double meet_time_error = 650.0;
+inline constexpr double leave_time_error = 800.0;
+
+namespace detail {
+
+// c is taken as it comes only above this share of sigma^2, and d only above this share of a sigma^2: their errors, some u of
+// r.r and of a sigma |r|, then stay below meet_time_error.
+inline constexpr double near_contact = 0x1p-7;
+inline constexpr double near_grazing = 0x1p-5;
+
+// |computed d - d| <= no_root a r.r where r.r >= sigma^2 [eq. 7].
+inline constexpr double no_root = 16 * 0x1p-53;
+
+// Above it no product has lost anything to underflow that matters beside rounding.
+inline constexpr double no_underflow = 0x1p-960;
+
+// With c > (apart - 1) sigma^2 and a computed b >= 0, exactly nothing is approaching that could meet [eq. 8].
+inline constexpr double apart = 1 + 0x1p-48;
+
+template <int D>
+[[nodiscard, gnu::noinline]] double meet_time_close(const Vec<double, D>& r, const Vec<double, D>& v, double sigma) {
+  const double ss = sigma * sigma;
+  const double a = dot<double, D>(v, v);
+  const double d = a * ss - cross_squared<double, D>(r, v);
+  if (d > near_grazing * (a * ss) + no_underflow) {
+    const DoubleDouble c = wide_dot<double, D>(r, r) - two_prod(sigma, sigma);
+    if (c.hi > 0x1p-42 * ss && c.hi < ss) return c.hi / (std::sqrt(d) - dot<double, D>(r, v));
+  }
+  const PairTerms terms = pair_terms<D>(r, v, sigma);
+  if (!(terms.b.mantissa < 0.0)) return never<double>();
+  if (!(terms.c.mantissa > 0.0)) return 0.0;
+  return terms.d.mantissa > 0.0 ? smaller_root(terms) : never<double>();
+}
+
+template <int D>
+[[nodiscard, gnu::noinline]] double leave_time_close(const Vec<double, D>& r, const Vec<double, D>& v, double rho) {
+  const PairTerms terms = pair_terms<D>(r, v, rho);
+  if (terms.a.mantissa == 0.0) return never<double>();
+  const bool outside = !(terms.c.mantissa < 0.0);
+  if (outside && !(terms.b.mantissa < 0.0)) return 0.0;
+  return terms.d.mantissa > 0.0 ? larger_root(terms) : closest_time(terms);
+}
+
+}  // namespace detail
+
+/// First t >= 0 at which |r + v t| falls to sigma: t = c / (-b + sqrt(d)), or `never`. Two balls: r and v of one relative to
+/// the other, sigma the sum of the radii. Overlapping: 0 if approaching, else `never`. Grazing (d = 0) is no meeting.
+/// For double the decision is exact and the relative error of t at most meet_time_error u.
+template <Real T, int D>
+[[nodiscard]] inline T meet_time(const Vec<T, D>& r, const Vec<T, D>& v, const T& sigma) {
+  static_assert(D >= 2, "on a line use gap_time");
+  using std::sqrt;
+  const T b = dot<T, D>(r, v);
+  const T rr = dot<T, D>(r, r);
+  const T ss = sigma * sigma;
+  if constexpr (std::is_same_v<T, double>) {
+    if (b >= 0.0 && rr > detail::apart * ss) return never<T>();
+    const double c = rr - ss;
+    const double a = dot<T, D>(v, v);
+    const double ass = a * ss;
+    const double d = ass - cross_squared<T, D>(r, v);
+    if (c > detail::near_contact * ss) {
+      if (-d > detail::no_root * (a * rr) + detail::no_underflow) return never<T>();
+      if (d > detail::near_grazing * ass + detail::no_underflow) return c / (sqrt(d) - b);
+    }
+    return detail::meet_time_close<D>(r, v, sigma);
+  } else {
+    if (!(b < 0)) return never<T>();
+    const T c = rr - ss;
+    if (!(c > 0)) return T(0);
+    const T a = dot<T, D>(v, v);
+    const T d = a * ss - cross_squared<T, D>(r, v);
+    return d > 0 ? T(c / (sqrt(d) - b)) : never<T>();
+  }
+}
+
+/// A ball inside a circle or sphere (rho: the radius less that of the ball): first t >= 0 at which rho^2 - |r + v t|^2 is <= 0
+/// and falling. Outside and inward bound: where it leaves again, or the turning point -b / a if it never gets inside.
+/// For double the decision is exact and the relative error of t at most leave_time_error u.
+template <Real T, int D>
+[[nodiscard]] inline T leave_time(const Vec<T, D>& r, const Vec<T, D>& v, const T& rho) {
+  static_assert(D >= 2, "on a line use gap_time");
+  using std::sqrt;
+  const T a = dot<T, D>(v, v);
+  const T b = dot<T, D>(r, v);
+  const T ss = rho * rho;
+  const T depth = ss - dot<T, D>(r, r);
+  const T d = a * ss - cross_squared<T, D>(r, v);
+  if constexpr (std::is_same_v<T, double>) {
+    if (d > detail::near_grazing * (a * ss) + detail::no_underflow) {
+      if (b < 0.0 && depth > -ss) return (sqrt(d) - b) / a;
+      if (!(b < 0.0) && depth > detail::near_contact * ss) return depth / (b + sqrt(d));
+    }
+    return detail::leave_time_close<D>(r, v, rho);
+  } else {
+    if (a == 0) return never<T>();
+    if (!(depth > 0) && !(b < 0)) return T(0);
+    if (!(d > 0)) return T(-b / a);
+    return b > 0 ? T(depth / (b + sqrt(d))) : T((sqrt(d) - b) / a);
+  }
+}
+
+/// Bound of the relative error of `chord_time` for double, in units of u = 2^-53.
+inline constexpr double chord_time_error = 6.0;
+
+/// From wall to wall inside a circle or sphere about the origin: |r| = rho by state, so the root 0 is dropped and the other is
+/// -2 b / a. The contact has just been resolved: r.v > 0 is rounding and counts as 0, which returns 0 (pressed to the wall).
+template <Real T, int D>
+[[nodiscard]] inline T chord_time(const Vec<T, D>& r, const Vec<T, D>& v) {
+  const T a = dot<T, D>(v, v);
+  if (a == 0) return never<T>();
+  const T b = narrow(wide_dot<T, D>(r, v));
+  return b < 0 ? T(-2 * b / a) : T(0);
+}
+
+}  // namespace carom

@@ -1,0 +1,83 @@
+#pragma once
+// The only places where a ball is looked at between its events, and where its state is written.
+
+#include "carom/motion/motion.hpp"
+#include "carom/world/world.hpp"
+
+namespace carom {
+
+/// Position of ball i at `t` >= its stored time, not wrapped anew. Looking writes nothing.
+template <Motion M>
+[[nodiscard]] inline typename M::Vector position_at(const M& motion, const World<typename M::Real, M::dimension>& world,
+                                                    std::uint32_t i, const Time<typename M::Real>& t) {
+  const auto& b = world.balls[i];
+  return b.time == t ? typename M::Vector(b.position)
+                     : motion.position(b.position, b.velocity, b.fixed, elapsed(b.time, t));
+}
+
+/// Velocity of ball i at `t` >= its stored time.
+template <Motion M>
+[[nodiscard]] inline typename M::Vector velocity_at(const M& motion, const World<typename M::Real, M::dimension>& world,
+                                                    std::uint32_t i, const Time<typename M::Real>& t) {
+  const auto& b = world.balls[i];
+  return b.time == t ? typename M::Vector(b.velocity) : motion.velocity(b.velocity, b.fixed, elapsed(b.time, t));
+}
+
+/// Wraps x into the cell of a periodic space, [lower, lower + edge), and gives the periods taken out.
+template <class Real, int D>
+inline std::array<std::int64_t, D> wrap(const Space<Real, D>& space, Vec<Real, D>& x) {
+  using std::floor;
+  std::array<std::int64_t, D> turns{};
+  if (!space.periodic()) return turns;
+  for (int k = 0; k < D; ++k) {
+    const Real n = floor((x[k] - space.lower[k]) / space.edge[k]);
+    if (n != 0) {
+      x[k] -= n * space.edge[k];
+      turns[k] = static_cast<std::int64_t>(n);
+    }
+    if (x[k] < space.lower[k]) {  // the quotient was rounded up
+      x[k] += space.edge[k];
+      --turns[k];
+    }
+    if (x[k] >= space.lower[k] + space.edge[k]) {  // x was a rounding below the lower edge
+      x[k] -= space.edge[k];
+      ++turns[k];
+    }
+  }
+  return turns;
+}
+
+/// The motion of ball i changes: it is at x with velocity v at time t. Contacts made at an earlier time end; those made at t
+/// stay, and are no longer spent. Gives the periods that were taken out of x.
+template <class Real, int D>
+inline std::array<std::int64_t, D> write_state(World<Real, D>& world, std::uint32_t i, const Vec<Real, D>& x,
+                                               const Vec<Real, D>& v, const Time<Real>& t) {
+  Ball<Real, D>& ball = world.balls[i];
+  BallDetail<Real, D>& detail = world.details[i];
+  if (ball.time != t) {
+    detail.contacts.clear();
+    ball.in_contact = false;
+  }
+  ball.position = x;
+  const std::array<std::int64_t, D> turns = wrap(world.space, ball.position);
+  for (int k = 0; k < D; ++k) detail.image[k] += turns[k];
+  ball.velocity = v;
+  ball.time = t;
+  ++ball.stamp;
+  return turns;
+}
+
+/// Ball i holds `contact` from now on, in place of an earlier one with the same feature.
+template <class Real, int D>
+inline void hold_contact(World<Real, D>& world, std::uint32_t i, const Contact<D>& contact) {
+  auto& contacts = world.details[i].contacts;
+  world.balls[i].in_contact = true;
+  for (Contact<D>& c : contacts)
+    if (c.with(contact.party, contact.partner, contact.feature, contact.image)) {
+      c = contact;
+      return;
+    }
+  contacts.push_back(contact);
+}
+
+}  // namespace carom

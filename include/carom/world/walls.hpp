@@ -1,0 +1,40 @@
+#pragma once
+// The walls of a world: one typed vector a shape, so that no prediction goes through a dispatch.
+
+#include <string>
+#include <vector>
+
+#include "carom/shape/face.hpp"
+#include "carom/shape/plane.hpp"
+#include "carom/shape/sphere.hpp"
+
+namespace carom {
+
+template <class Real, int D>
+struct Walls {
+  std::vector<Face<Real, D>> faces;
+  std::vector<Plane<Real, D>> planes;
+  std::vector<Sphere<Real, D>> spheres;
+  std::vector<std::string> labels;  ///< by wall number: "0", "1", ... in file order, then the faces "x-", "x+", "y-", ...
+
+  [[nodiscard]] bool empty() const noexcept { return labels.empty(); }
+
+  /// Calls f(shape) for every piece of every wall.
+  template <class F>
+  void for_each(F&& f) const {
+    for (const auto& s : faces) f(s);
+    for (const auto& s : planes) f(s);
+    if constexpr (D > 1)
+      for (const auto& s : spheres) f(s);
+  }
+
+  /// Calls f(shape) for the one piece that is feature `feature` of wall `wall`.
+  template <class F>
+  void with(std::uint32_t wall, std::int32_t feature, F&& f) const {
+    for_each([&](const auto& s) {
+      if (index(s.wall) == wall && s.feature == feature) f(s);
+    });
+  }
+};
+
+}  // namespace carom

@@ -1,0 +1,185 @@
+#include "rules.hpp"
+
+#include <utility>
+
+#include "keywords.hpp"
+#include "table_rules.hpp"
+#include "words.hpp"
+
+namespace carom::scene_text {
+
+namespace {
+
+void judge_dimension(Judgement& j) {
+  const int d = j.scene.dimension;
+  if (!is_dimension(d))
+    TableRules(j, {}, {}).found("dimension", " is " + std::to_string(d), "a scene has dimension 1, 2 or 3");
+}
+
+void judge_space(Judgement& j) {
+  const SpaceSpec& s = j.scene.space;
+  TableRules rules(j, {"space"}, s.where);
+  const std::string_view kind = word_for<SpaceKind>(space_kinds, s.kind);
+  rules.unbuilt("space.kind", kind);
+  if (s.kind == SpaceKind::open) {
+    const auto refuse = [&](std::string_view key) {
+      rules.found(key, " has no meaning here", "an open space has no faces", "Set kind = \"box\" or \"periodic\"?",
+                  {rules.key("kind")});
+    };
+    if (!s.lower.empty()) refuse("lower");
+    if (!s.upper.empty()) refuse("upper");
+    if (s.restitution) refuse("restitution");
+    if (!s.material.empty()) refuse("material");
+    return;
+  }
+  const bool lower = rules.vector("lower", s.lower, Presence::required);
+  const bool upper = rules.vector("upper", s.upper, Presence::required);
+  for (std::size_t i = 0; lower && upper && i < s.lower.size() && i < s.upper.size(); ++i) {
+    if (s.lower[i].value < s.upper[i].value) continue;
+    rules.found("upper", " has the component " + shown(s.upper[i]),
+                "each is above that of space.lower, here " + shown(s.lower[i]), "", {rules.key("lower")});
+    break;
+  }
+  if (s.kind == SpaceKind::periodic && (s.restitution || !s.material.empty())) {
+    rules.found(s.restitution ? "restitution" : "material", " has no meaning here", "a periodic space has no faces");
+  }
+  if (s.restitution) rules.restitution(*s.restitution);
+  rules.material(s.material);
+}
+
+void judge_motion(Judgement& j) {
+  const MotionSpec& m = j.scene.motion;
+  TableRules rules(j, {"motion"}, m.where);
+  if (rules.vector("acceleration", m.acceleration, Presence::optional) && !is_zero(m.acceleration)) {
+    rules.unbuilt("motion.acceleration");
+  }
+}
+
+void judge_collision(Judgement& j) {
+  const CollisionSpec& c = j.scene.collision;
+  TableRules rules(j, {"collision"}, c.where);
+  rules.unbuilt("collision.law", word_for<LawKind>(law_kinds, c.law));
+  rules.restitution(c.restitution);
+}
+
+void judge_materials(Judgement& j) {
+  std::set<std::string> names;
+  for (const MaterialSpec& m : j.scene.materials) {
+    const Path path{"material", m.name};
+    if (m.name.empty()) j.findings.push_back({{path}, m.where, "a material has no name", "it is used by its name", ""});
+    if (!names.insert(m.name).second) {
+      j.findings.push_back({{path}, m.where, dotted(path) + " is given twice", "a material has one definition", ""});
+    }
+    TableRules(j, path, m.where).restitution(m.restitution);
+  }
+}
+
+void judge_material_pairs(Judgement& j) {
+  std::set<std::pair<std::string, std::string>> pairs;
+  for (std::size_t i = 0; i < j.scene.material_pairs.size(); ++i) {
+    const MaterialPairSpec& p = j.scene.material_pairs[i];
+    TableRules rules(j, {"material_pair", std::to_string(i)}, p.where);
+    for (const std::string& name : {p.first, p.second}) {
+      if (j.materials.count(name) > 0) continue;
+      const std::vector<std::string_view> known(j.materials.begin(), j.materials.end());
+      rules.found("of", " names " + in_quotes(name), "no material has this name",
+                  known.empty() ? "Add [" + dotted({"material", name}) + "]" : suggestion(name, known), {{"material"}});
+    }
+    if (!pairs.insert(std::minmax(p.first, p.second)).second) {
+      rules.found("of", " is given twice", "two materials have one restitution");
+    }
+    rules.restitution(p.restitution);
+  }
+}
+
+void judge_run(Judgement& j) {
+  const RunSpec& r = j.scene.run;
+  TableRules rules(j, {"run"}, r.where);
+  if (!r.until && !r.events) {
+    j.findings.push_back({{rules.key("until"), rules.key("events")},
+                          r.where,
+                          "the run has no end",
+                          "run.until or run.events is required",
+                          "Add until = 10.0 under [run]"});
+  }
+  const bool start = rules.finite("start", r.start);
+  if (r.until && rules.finite("until", *r.until) && start && r.until->value < r.start.value) {
+    rules.found("until", " is " + shown(*r.until), "that is before run.start = " + shown(r.start), "",
+                {rules.key("start")});
+  }
+  if (r.events && *r.events < 0)
+    rules.found("events", " is " + std::to_string(*r.events), "a number of collisions is 0 or more");
+  if (r.sample_every) rules.positive("sample_every", *r.sample_every, "the time between frames is above 0");
+}
+
+void judge_engine(Judgement& j) {
+  const EngineSpec& e = j.scene.engine;
+  TableRules rules(j, {"engine"}, e.where);
+  rules.unbuilt("engine.search", word_for<SearchKind>(search_kinds, e.search));
+  rules.unbuilt("engine.queue", word_for<QueueKind>(queue_kinds, e.queue));
+}
+
+void judge_observe(Judgement& j) {
+  const ObserveSpec& o = j.scene.observe;
+  TableRules rules(j, {"observe"}, o.where);
+  if (o.after_events || o.after_time) rules.unbuilt("observe.after");
+  if (o.pressure) rules.unbuilt("observe.pressure");
+  if (o.collision_rate) rules.unbuilt("observe.collision_rate");
+  if (o.mean_free_path) rules.unbuilt("observe.mean_free_path");
+  if (o.speed_histogram) rules.unbuilt("observe.speed_histogram");
+
+  if (o.after_events && o.after_time)
+    rules.found("after", " has events and time", "measuring starts once", "Give one of them");
+  TableRules after(j, {"observe", "after"}, o.where);
+  if (o.after_time) after.finite("time", *o.after_time);
+  if (o.after_events && *o.after_events < 0) {
+    after.found("events", " is " + std::to_string(*o.after_events), "a number of collisions is 0 or more");
+  }
+}
+
+void judge_output(Judgement& j) {
+  const OutputSpec& o = j.scene.output;
+  TableRules rules(j, {"output"}, o.where);
+  if (!o.events.empty() && o.events == o.trajectory) {
+    rules.found("trajectory", " is " + in_quotes(o.trajectory), "output.events has the same name");
+  }
+  if (o.trajectory.empty()) return;
+  const std::size_t dot = o.trajectory.rfind('.');
+  const std::string ending = dot == std::string::npos ? "" : o.trajectory.substr(dot);
+  if (ending == ".csv" || ending == ".h5" || ending == ".xyz") {
+    rules.unbuilt("output.trajectory", ending);
+  } else {
+    rules.found("trajectory", " is " + in_quotes(o.trajectory), "its ending says the format: .h5, .xyz or .csv");
+  }
+}
+
+void judge_presence(Judgement& j) {
+  const Scene& s = j.scene;
+  if (!s.balls.empty() || !s.lattices.empty() || !s.gases.empty()) return;
+  j.findings.push_back(
+      {{{"ball"}, {"lattice"}, {"gas"}}, {}, "the scene has no balls", "there is nothing to move", "Add a [[ball]]"});
+}
+
+}  // namespace
+
+std::vector<Finding> findings(const Scene& scene) {
+  Judgement j(scene);
+  judge_dimension(j);
+  judge_space(j);
+  judge_motion(j);
+  judge_collision(j);
+  judge_materials(j);
+  judge_material_pairs(j);
+  judge_balls(j);
+  judge_lattices(j);
+  judge_gases(j);
+  judge_walls(j);
+  judge_run(j);
+  judge_engine(j);
+  judge_observe(j);
+  judge_output(j);
+  judge_presence(j);
+  return std::move(j.findings);
+}
+
+}  // namespace carom::scene_text

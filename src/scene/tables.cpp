@@ -1,0 +1,285 @@
+#include "tables.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "unbuilt.hpp"
+
+namespace carom::scene_text {
+
+namespace {
+
+// A key of [[wall]] or [[lattice]] that belongs to one kind.
+template <class E>
+struct KindKey {
+  std::string_view key;
+  E kind;
+};
+
+// Refuses the keys of other kinds, by the name of the kind that has them.
+template <class E, std::size_t N, std::size_t M>
+void refuse_other_kinds(TableReader& t, E kind, const std::array<KindKey<E>, N>& keys,
+                        const std::array<Word<E>, M>& words) {
+  for (const KindKey<E>& k : keys) {
+    if (k.kind == kind || !t.has(k.key)) continue;
+    const std::string other(word_for<E>(words, k.kind));
+    t.misplaced(k.key, "it belongs to kind = \"" + other + "\", not \"" + std::string(word_for<E>(words, kind)) + '"');
+  }
+}
+
+constexpr std::array wall_keys{
+    KindKey<WallKind>{"from", WallKind::segment},  KindKey<WallKind>{"to", WallKind::segment},
+    KindKey<WallKind>{"point", WallKind::plane},   KindKey<WallKind>{"normal", WallKind::plane},
+    KindKey<WallKind>{"centre", WallKind::circle}, KindKey<WallKind>{"radius", WallKind::circle},
+    KindKey<WallKind>{"side", WallKind::circle},   KindKey<WallKind>{"vertices", WallKind::polygon}};
+
+constexpr std::array rack_keys{
+    KindKey<LatticeKind>{"rows", LatticeKind::rack}, KindKey<LatticeKind>{"gap", LatticeKind::rack},
+    KindKey<LatticeKind>{"apex", LatticeKind::rack}, KindKey<LatticeKind>{"direction", LatticeKind::rack}};
+
+SpaceSpec read_space(TableReader t) {
+  SpaceSpec s;
+  s.where = t.where();
+  if (!t.word<SpaceKind>("kind", space_kinds, s.kind)) t.abandon();
+  t.coordinates("lower", s.lower);
+  t.coordinates("upper", s.upper);
+  t.number("restitution", s.restitution);
+  t.text("material", s.material);
+  t.finish();
+  return s;
+}
+
+MotionSpec read_motion(TableReader t) {
+  MotionSpec m;
+  m.where = t.where();
+  t.coordinates("acceleration", m.acceleration);
+  t.finish();
+  return m;
+}
+
+CollisionSpec read_collision(TableReader t) {
+  CollisionSpec c;
+  c.where = t.where();
+  t.word<LawKind>("law", law_kinds, c.law);
+  t.number("restitution", c.restitution);
+  Number contact_time;
+  t.number("contact_time", contact_time);
+  if (contact_time.value != 0.0 && is_unbuilt("collision.contact_time")) t.unbuilt("contact_time");
+  enum class Simultaneous { sequential } simultaneous{};
+  constexpr std::array words{Word<Simultaneous>{"sequential", Simultaneous::sequential}};
+  t.word<Simultaneous>("simultaneous", words, simultaneous);
+  t.finish();
+  return c;
+}
+
+std::vector<MaterialSpec> read_materials(TableReader t) {
+  std::vector<MaterialSpec> materials;
+  for (const auto& [key, node] : t.source()) {
+    MaterialSpec m;
+    m.name = key.str();
+    if (std::optional<TableReader> material = t.table(key.str())) {
+      m.where = material->where();
+      material->number("restitution", m.restitution);
+      material->finish();
+    }
+    materials.push_back(std::move(m));
+  }
+  return materials;
+}
+
+MaterialPairSpec read_material_pair(TableReader t) {
+  MaterialPairSpec p;
+  p.where = t.where();
+  t.require("restitution", "a pair of materials is there to set it", "Add restitution = 0.9");
+  t.number("restitution", p.restitution);
+  const toml::node* of = t.take("of");
+  const toml::array* names = of == nullptr ? nullptr : of->as_array();
+  if (names != nullptr && names->size() == 2 && names->is_homogeneous<std::string>()) {
+    p.first = *names->get(0)->value<std::string>();
+    p.second = *names->get(1)->value<std::string>();
+  } else if (of == nullptr) {
+    t.require("of", "a pair has two materials", "Add of = [\"ivory\", \"rubber\"]");
+  } else {
+    t.refuse("of", " is not a pair", "the names of two materials are needed", "Write of = [\"ivory\", \"rubber\"]");
+  }
+  t.finish();
+  return p;
+}
+
+BallSpec read_ball(TableReader t) {
+  BallSpec b;
+  b.where = t.where();
+  t.text("name", b.name);
+  t.coordinates("position", b.position);
+  t.coordinates("velocity", b.velocity);
+  t.number("radius", b.radius);
+  t.number("mass", b.mass);
+  t.text("material", b.material);
+  t.flag("fixed", b.fixed);
+  t.finish();
+  return b;
+}
+
+LatticeSpec read_lattice(TableReader t) {
+  LatticeSpec l;
+  l.where = t.where();
+  t.require("kind", "a lattice has a kind", "Add kind = \"hexagonal\"");
+  if (!t.has("kind") || !t.word<LatticeKind>("kind", lattice_kinds, l.kind)) {
+    t.abandon();
+    return l;
+  }
+  t.integer("count", l.count);
+  t.number("packing_fraction", l.packing_fraction);
+  t.number("radius", l.radius);
+  t.number("mass", l.mass);
+  t.text("material", l.material);
+  t.number("temperature", l.temperature);
+  t.seed("seed", l.seed);
+  refuse_other_kinds(t, l.kind, rack_keys, lattice_kinds);
+  if (l.kind == LatticeKind::rack) {
+    t.integer("rows", l.rows);
+    t.number("gap", l.gap);
+    t.coordinates("apex", l.apex);
+    t.coordinates("direction", l.direction);
+  }
+  t.finish();
+  return l;
+}
+
+GasSpec read_gas(TableReader t) {
+  GasSpec g;
+  g.where = t.where();
+  t.integer("count", g.count);
+  t.number("packing_fraction", g.packing_fraction);
+  t.number("radius", g.radius);
+  t.number("mass", g.mass);
+  t.number("temperature", g.temperature);
+  t.text("material", g.material);
+  t.seed("seed", g.seed);
+  t.finish();
+  return g;
+}
+
+void read_shape(TableReader& t, WallSpec& w) {
+  switch (w.kind) {
+    case WallKind::segment:
+      t.coordinates("from", w.from);
+      t.coordinates("to", w.to);
+      break;
+    case WallKind::plane:
+      t.coordinates("point", w.point);
+      t.coordinates("normal", w.normal);
+      break;
+    case WallKind::circle:
+      t.coordinates("centre", w.centre);
+      t.require("radius", "a circle has one", "Add radius = 1.0");
+      t.number("radius", w.radius);
+      t.word<WallSide>("side", wall_sides, w.side);
+      break;
+    case WallKind::polygon:
+      t.vertices("vertices", w.vertices);
+      break;
+  }
+}
+
+WallSpec read_wall(TableReader t) {
+  WallSpec w;
+  w.where = t.where();
+  t.require("kind", "a wall has a kind", "Add kind = \"plane\"");
+  if (!t.has("kind") || !t.word<WallKind>("kind", wall_kinds, w.kind)) {
+    t.abandon();
+    return w;
+  }
+  read_shape(t, w);
+  refuse_other_kinds(t, w.kind, wall_keys, wall_kinds);
+  t.coordinates("velocity", w.velocity);
+  t.number("restitution", w.restitution);
+  t.text("material", w.material);
+  t.finish();
+  return w;
+}
+
+RunSpec read_run(TableReader t) {
+  RunSpec r;
+  r.where = t.where();
+  t.number("start", r.start);
+  t.number("until", r.until);
+  t.integer("events", r.events);
+  t.number("sample_every", r.sample_every);
+  t.seed("seed", r.seed);
+  t.finish();
+  return r;
+}
+
+EngineSpec read_engine(TableReader t) {
+  EngineSpec e;
+  e.where = t.where();
+  t.word<SearchKind>("search", search_kinds, e.search);
+  t.word<QueueKind>("queue", queue_kinds, e.queue);
+  t.finish();
+  return e;
+}
+
+ObserveSpec read_observe(TableReader t) {
+  ObserveSpec o;
+  o.where = t.where();
+  if (std::optional<TableReader> after = t.table("after")) {
+    after->integer("events", o.after_events);
+    after->number("time", o.after_time);
+    after->finish();
+  }
+  t.flag("pressure", o.pressure);
+  t.flag("collision_rate", o.collision_rate);
+  t.flag("mean_free_path", o.mean_free_path);
+  t.flag("speed_histogram", o.speed_histogram);
+  t.finish();
+  return o;
+}
+
+OutputSpec read_output(TableReader t) {
+  OutputSpec o;
+  o.where = t.where();
+  t.text("events", o.events);
+  t.text("trajectory", o.trajectory);
+  t.finish();
+  return o;
+}
+
+// One table, or its defaults where it is not there.
+template <class Spec>
+void read_one(TableReader& root, std::string_view key, Spec (*read)(TableReader), Spec& to) {
+  if (std::optional<TableReader> t = root.table(key)) to = read(std::move(*t));
+}
+
+// All of [[key]]; a placeholder for what is no table, so that numbers stay those of the file.
+template <class Spec>
+void read_each(TableReader& root, std::string_view key, Spec (*read)(TableReader), std::vector<Spec>& to) {
+  root.tables(key, [&](std::optional<TableReader> t) { to.push_back(t ? read(std::move(*t)) : Spec()); });
+}
+
+}  // namespace
+
+Scene read_tables(const toml::table& table, Report& report) {
+  Scene s;
+  TableReader root(report, table, {});
+  root.text("title", s.title);
+  root.integer("dimension", s.dimension);
+  read_one(root, "space", read_space, s.space);
+  read_one(root, "motion", read_motion, s.motion);
+  read_one(root, "collision", read_collision, s.collision);
+  read_one(root, "material", read_materials, s.materials);
+  read_each(root, "material_pair", read_material_pair, s.material_pairs);
+  read_each(root, "ball", read_ball, s.balls);
+  read_each(root, "lattice", read_lattice, s.lattices);
+  read_each(root, "gas", read_gas, s.gases);
+  read_each(root, "wall", read_wall, s.walls);
+  read_one(root, "run", read_run, s.run);
+  read_one(root, "engine", read_engine, s.engine);
+  read_one(root, "observe", read_observe, s.observe);
+  read_one(root, "output", read_output, s.output);
+  root.finish();
+  return s;
+}
+
+}  // namespace carom::scene_text

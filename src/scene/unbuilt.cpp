@@ -1,0 +1,81 @@
+#include "unbuilt.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "words.hpp"
+
+namespace carom::scene_text {
+
+namespace {
+
+struct Unbuilt {
+  std::string_view key;
+  std::string_view value = {};  // empty: every value
+};
+
+// A line is deleted when its feature is there. The value of output.trajectory is a file's ending,
+// that of wall.velocity the kind of the wall.
+constexpr std::array unbuilt{
+    Unbuilt{"motion.magnetic"},
+    Unbuilt{"motion.cloth"},
+    Unbuilt{"collision.law", "rough"},
+    Unbuilt{"collision.contact_time"},  // except 0, which is off
+    Unbuilt{"collision.simultaneous", "symmetric"},
+    Unbuilt{"collision.regularise"},
+    Unbuilt{"ball.spin"},
+    Unbuilt{"ball.inertia"},
+    Unbuilt{"gas.radius_growth"},
+    Unbuilt{"wall.kind", "arc"},
+    Unbuilt{"wall.kind", "ellipse"},
+    Unbuilt{"wall.oscillation"},
+    Unbuilt{"wall.velocity", "circle"},
+    Unbuilt{"wall.velocity", "polygon"},
+    Unbuilt{"table"},
+    Unbuilt{"engine.search", "neighbour_list"},
+    Unbuilt{"engine.queue", "calendar"},
+    Unbuilt{"observe.radial_distribution"},
+    Unbuilt{"observe.mean_squared_displacement"},
+    Unbuilt{"observe.velocity_autocorrelation"},
+    Unbuilt{"observe.lyapunov"},
+    Unbuilt{"observe.boundary_map"},
+    Unbuilt{"observe.poincare"},
+    Unbuilt{"observe.survival"},
+    Unbuilt{"observe.diffusion"},
+    Unbuilt{"output.trajectory", ".h5"},
+    Unbuilt{"output.trajectory", ".xyz"},
+    Unbuilt{"output.checkpoint"},
+    Unbuilt{"ensemble"},
+
+    // Next to be built.
+    Unbuilt{"space.kind", "periodic"},
+    Unbuilt{"gas"},
+    Unbuilt{"motion.acceleration"},
+    Unbuilt{"collision.law", "stick"},
+    Unbuilt{"collision.law", "merge"},
+    Unbuilt{"wall.kind", "segment"},
+    Unbuilt{"wall.kind", "polygon"},
+    Unbuilt{"wall.velocity", "segment"},
+    Unbuilt{"wall.velocity", "plane"},
+    Unbuilt{"engine.search", "cells"},
+    Unbuilt{"observe.after"},
+    Unbuilt{"observe.pressure"},
+    Unbuilt{"observe.collision_rate"},
+    Unbuilt{"observe.mean_free_path"},
+    Unbuilt{"observe.speed_histogram"},
+};
+
+}  // namespace
+
+bool is_unbuilt(std::string_view key, std::string_view value) {
+  return std::any_of(unbuilt.begin(), unbuilt.end(),
+                     [&](const Unbuilt& u) { return u.key == key && (u.value.empty() || u.value == value); });
+}
+
+std::string unbuilt_message(std::string_view key, std::string_view value) {
+  std::string s = "key " + std::string(key);
+  if (!value.empty()) s += " = " + in_quotes(value);
+  return s + ": not built yet";
+}
+
+}  // namespace carom::scene_text

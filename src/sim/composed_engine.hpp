@@ -1,0 +1,210 @@
+#pragma once
+// An EventDriven of one motion, search and queue, and the translation of its results into the user's units.
+
+#include <cmath>
+
+#include "carom/sim/event_driven.hpp"
+#include "carom/sim/totals.hpp"
+#include "carom/world/build.hpp"
+#include "engine.hpp"
+
+namespace carom {
+
+template <Motion M, class Search, class Queue>
+class ComposedEngine final : public Simulation::Engine {
+ public:
+  using Real = typename M::Real;
+  static constexpr int D = M::dimension;
+
+  ComposedEngine(const Scene& scene, World<Real, D> world, const M& motion, Composition composition)
+      : Engine(scene, std::move(composition)), world_(std::move(world)), engine_(world_, motion), reached_(world_.start),
+        start_(totals_at(motion, world_, world_.start)) {
+    conserved_momentum_ = world_.walls.empty() && !world_.accelerated();
+    for (const auto& d : world_.details) conserved_momentum_ = conserved_momentum_ && !detail::infinite(d.mass);
+    lowest_potential_ = lowest_potential();
+  }
+
+  Stop advance(const std::optional<Number>& to, std::optional<std::int64_t> most, const CollisionSink& sink,
+               const std::atomic<bool>* interrupt) override {
+    Time<Real> end = to ? clock_time<Real>(*to, world_.units.time) : Time<Real>::never();
+    if (end < reached_) end = reached_;
+    const std::int64_t collisions = most.value_or(std::numeric_limits<std::int64_t>::max());
+    stop_ = sink ? engine_.advance(end, collisions, Translate{*this, sink}, interrupt)
+                 : engine_.advance(end, collisions, NoSink{}, interrupt);
+    const bool to_the_end = (stop_ == Stop::until || stop_ == Stop::no_events_left) && !end.is_never();
+    if (to_the_end) {
+      reached_ = end;
+    } else if (engine_.now() > reached_) {
+      reached_ = engine_.now();
+    }
+    return stop_;
+  }
+
+  [[nodiscard]] double time() const override { return in_users_time(reached_); }
+  [[nodiscard]] const EventCounts& counts() const override { return engine_.counts(); }
+  [[nodiscard]] std::uint32_t ball_count() const override { return static_cast<std::uint32_t>(world_.balls.size()); }
+  [[nodiscard]] bool alive(std::uint32_t i) const override { return world_.balls.at(i).alive; }
+  [[nodiscard]] std::string wall_label(std::uint32_t wall) const override { return world_.walls.labels.at(wall); }
+  [[nodiscard]] Units units() const override { return world_.units; }
+
+  [[nodiscard]] BallState ball(std::uint32_t i) const override {
+    BallState state;
+    state.index = i;
+    state.name = world_.details.at(i).name;
+    Vec<Real, D> x = position_at(engine_.motion(), world_, i, reached_);
+    const Vec<Real, D> v = velocity_at(engine_.motion(), world_, i, reached_);
+    const auto far = unwrapped(world_, i, x);
+    const auto turns = wrap(world_.space, x);
+    for (int k = 0; k < D; ++k) {
+      state.position.push_back(user(x[k], world_.units.length));
+      state.image.push_back(world_.details[i].image[k] + turns[k]);
+      state.unwrapped_position.push_back(user(narrow(far[k]), world_.units.length));
+      state.velocity.push_back(user(v[k], world_.units.velocity()));
+    }
+    state.radius = user(world_.balls[i].radius, world_.units.length);
+    state.mass = user(world_.details[i].mass, world_.units.mass);
+    return state;
+  }
+
+  [[nodiscard]] Audit audit(AuditBy by) const override {
+    Audit result = carom::audit(engine_.motion(), world_, reached_, by);
+    result.deepest = std::ldexp(result.deepest, world_.units.length);
+    return result;
+  }
+
+  [[nodiscard]] Summary summary() const override {
+    Summary s;
+    s.title = title;
+    s.dimension = D;
+    s.balls = ball_count();
+    s.composition = composition().text();
+    s.seed = seed;
+    s.epoch_length = world_.units.epoch_length();
+    s.time = time();
+    s.stopped_by = stop_;
+    if (stop_ == Stop::collapse || stop_ == Stop::non_finite)
+      s.stopped = StopDetail{engine_.collider().reason, engine_.collider().reason_balls, in_users_time(engine_.now())};
+    s.events = engine_.counts();
+    const Totals<Real, D> now = totals_at(engine_.motion(), world_, reached_);
+    s.energy = energy(now);
+    s.momentum = momentum(now);
+    s.angular_momentum = angular_momentum(now);
+    const Exactness<Real>& e = engine_.exactness();
+    s.exactness = {user(e.max_gap_error, world_.units.length), static_cast<double>(e.max_gap_error_relative), e.clamped,
+                   e.unresolved, e.singular, e.repredicted};
+    return s;
+  }
+
+ private:
+  using W = Wide<Real>;
+
+  [[nodiscard]] static double user(const Real& x, int exponent) { return std::ldexp(static_cast<double>(x), exponent); }
+  [[nodiscard]] double in_users_time(const Time<Real>& t) const {
+    return user(narrow(W(W(Real(t.epoch)) + W(t.offset))), world_.units.time);
+  }
+
+  // 0/0 is 0; a nonzero error of nothing is infinite, and says so.
+  [[nodiscard]] static double ratio(const Real& error, const Real& size) {
+    using std::abs;
+    const Real e = abs(error);
+    return e == 0 ? 0.0 : static_cast<double>(Real(e / size));
+  }
+
+  /// Of all masses, if each lay where the potential is lowest at the start.
+  [[nodiscard]] Real lowest_potential() const {
+    Real lowest(0);
+    bool first = true;
+    for (std::uint32_t i = 0; i < world_.balls.size(); ++i) {
+      if (detail::infinite(world_.details[i].mass)) continue;
+      W p(Real(0));
+      const auto x = unwrapped(world_, i, world_.balls[i].position);
+      for (int k = 0; k < D; ++k) p = p - x[k] * W(world_.acceleration[k]);
+      if (first || narrow(p) < lowest) lowest = narrow(p);
+      first = false;
+    }
+    return lowest * narrow(start_.mass);
+  }
+
+  [[nodiscard]] EnergyBalance energy(const Totals<Real, D>& now) const {
+    const EnergyBooks<Real>& books = engine_.books();
+    const W initial = start_.kinetic + start_.potential, final = now.kinetic + now.potential;
+    const Real error = narrow(W((final - initial) + (books.dissipated - books.injected)));
+    // kinetic + potential + dissipated = initial + injected at every moment: largest where injected is.
+    const Real largest = narrow(W(initial - W(lowest_potential_))) + 2 * books.largest_injected;
+    const int unit = world_.units.energy();
+    return {user(narrow(initial), unit), user(narrow(final), unit), user(narrow(books.dissipated), unit),
+            user(narrow(books.injected), unit), ratio(error, largest)};
+  }
+
+  template <std::size_t N>
+  [[nodiscard]] VectorBalance balance(const std::array<W, N>& before, const std::array<W, N>& after, std::size_t components,
+                                      const Real& size, bool conserved, int unit) const {
+    using std::sqrt;
+    VectorBalance b;
+    Real error(0);
+    for (std::size_t k = 0; k < components; ++k) {
+      b.initial.push_back(user(narrow(before[k]), unit));
+      b.final.push_back(user(narrow(after[k]), unit));
+      const Real d = narrow(W(after[k] - before[k]));
+      error += d * d;
+    }
+    if (conserved) b.relative_error = ratio(sqrt(error), size);
+    return b;
+  }
+  [[nodiscard]] VectorBalance momentum(const Totals<Real, D>& now) const {
+    return balance(start_.momentum, now.momentum, D, start_.momentum_size, conserved_momentum_, world_.units.momentum());
+  }
+  [[nodiscard]] VectorBalance angular_momentum(const Totals<Real, D>& now) const {
+    return balance(start_.angular_momentum, now.angular_momentum, Totals<Real, D>::rotations, start_.angular_momentum_size,
+                   conserved_momentum_ && D > 1 && !world_.space.periodic(), world_.units.angular_momentum());
+  }
+
+  /// Hands records on as collisions in the user's units.
+  struct Translate {
+    static constexpr bool wants_records = true;
+    const ComposedEngine& engine;
+    const CollisionSink& sink;
+
+    void operator()(const Record<Real, D>& r) const {
+      const Units& u = engine.world_.units;
+      Collision c;
+      c.time = engine.in_users_time(r.time);
+      c.epoch = r.time.epoch;
+      c.offset = user(r.time.offset, u.time);
+      c.kind = r.kind;
+      c.feature = r.feature;
+      party(c.ball, r.ball, u);
+      party(c.partner, r.partner, u);
+      for (int k = 0; k < D; ++k) {
+        c.normal[k] = static_cast<double>(r.normal[k]);
+        c.point[k] = user(r.point[k], u.length);
+      }
+      c.impulse = user(r.impulse, u.momentum());
+      c.gap = user(r.gap, u.length);
+      c.restitution = static_cast<double>(r.restitution);
+      c.dissipated = user(r.dissipated, u.energy());
+      c.injected = user(r.injected, u.energy());
+      c.tie = r.tie;
+      sink(c);
+    }
+    static void party(Collision::Party& to, const RecordParty<Real, D>& from, const Units& u) {
+      to.number = from.number;
+      for (int k = 0; k < D; ++k) {
+        to.position[k] = user(from.position[k], u.length);
+        to.image[k] = from.image[k];
+        to.velocity_before[k] = user(from.velocity_before[k], u.velocity());
+        to.velocity_after[k] = user(from.velocity_after[k], u.velocity());
+      }
+    }
+  };
+
+  World<Real, D> world_;
+  EventDriven<M, Search, Queue> engine_;
+  Time<Real> reached_;
+  Totals<Real, D> start_;
+  Real lowest_potential_ = Real(0);
+  bool conserved_momentum_ = false;
+  Stop stop_ = Stop::until;
+};
+
+}  // namespace carom

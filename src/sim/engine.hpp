@@ -1,0 +1,53 @@
+#pragma once
+// A composition behind one interface, in the user's units and in doubles.
+
+#include <memory>
+#include <utility>
+
+#include "carom/sim/simulation.hpp"
+#include "carom/world/units.hpp"
+
+namespace carom {
+
+class Simulation::Engine {
+ public:
+  Engine(const Scene& scene, Composition composition)
+      : title(scene.title), dimension(scene.dimension), seed(scene.run.seed), until(scene.run.until), events(scene.run.events),
+        composition_(std::move(composition)) {}
+  virtual ~Engine() = default;
+  Engine(const Engine&) = delete;
+  Engine& operator=(const Engine&) = delete;
+
+  virtual Stop advance(const std::optional<Number>& until, std::optional<std::int64_t> events, const CollisionSink& sink,
+                       const std::atomic<bool>* interrupt) = 0;
+  [[nodiscard]] virtual double time() const = 0;
+  [[nodiscard]] virtual Summary summary() const = 0;
+  [[nodiscard]] virtual const EventCounts& counts() const = 0;
+  [[nodiscard]] virtual std::uint32_t ball_count() const = 0;
+  [[nodiscard]] virtual bool alive(std::uint32_t number) const = 0;
+  [[nodiscard]] virtual BallState ball(std::uint32_t number) const = 0;
+  [[nodiscard]] virtual std::string wall_label(std::uint32_t wall) const = 0;
+  [[nodiscard]] virtual Units units() const = 0;
+  [[nodiscard]] virtual Audit audit(AuditBy by) const = 0;
+
+  [[nodiscard]] const Composition& composition() const noexcept { return composition_; }
+
+  std::string title;
+  int dimension;
+  std::uint64_t seed;
+  std::optional<Number> until;
+  std::optional<std::int64_t> events;
+
+ private:
+  Composition composition_;
+};
+
+/// The compositions of one dimension.
+template <int D>
+[[nodiscard]] std::unique_ptr<Simulation::Engine> make_engine(const Scene& scene);
+
+extern template std::unique_ptr<Simulation::Engine> make_engine<1>(const Scene&);
+extern template std::unique_ptr<Simulation::Engine> make_engine<2>(const Scene&);
+extern template std::unique_ptr<Simulation::Engine> make_engine<3>(const Scene&);
+
+}  // namespace carom

@@ -1,0 +1,55 @@
+#include "carom/sim/simulation.hpp"
+
+#include "carom/core/error.hpp"
+#include "engine.hpp"
+
+namespace carom {
+
+std::string Composition::text() const { return motion + ", " + search + ", " + queue; }
+
+namespace {
+std::unique_ptr<Simulation::Engine> compose(const Scene& scene) {
+  switch (scene.dimension) {
+    case 1:
+      return make_engine<1>(scene);
+    case 2:
+      return make_engine<2>(scene);
+    case 3:
+      return make_engine<3>(scene);
+    default:
+      throw InputError(Problem{scene.file, 0, "dimension = " + std::to_string(scene.dimension), "it is 1, 2 or 3", ""});
+  }
+}
+}  // namespace
+
+Simulation::Simulation(const Scene& scene) : engine_(compose(scene)) {}
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+
+Stop Simulation::run(const CollisionSink& sink) { return advance(engine_->until, engine_->events, sink); }
+
+Stop Simulation::advance(const std::optional<Number>& until, std::optional<std::int64_t> events, const CollisionSink& sink,
+                         const std::atomic<bool>* interrupt) {
+  return engine_->advance(until, events, sink, interrupt);
+}
+
+double Simulation::time() const { return engine_->time(); }
+Summary Simulation::summary() const { return engine_->summary(); }
+const EventCounts& Simulation::counts() const { return engine_->counts(); }
+BallState Simulation::ball(std::uint32_t number) const { return engine_->ball(number); }
+
+std::vector<BallState> Simulation::balls() const {
+  std::vector<BallState> left;
+  for (std::uint32_t i = 0; i < engine_->ball_count(); ++i)
+    if (engine_->alive(i)) left.push_back(engine_->ball(i));
+  return left;
+}
+
+std::string Simulation::wall_label(std::uint32_t wall) const { return engine_->wall_label(wall); }
+int Simulation::dimension() const { return engine_->dimension; }
+double Simulation::epoch_length() const { return engine_->units().epoch_length(); }
+const Composition& Simulation::composition() const { return engine_->composition(); }
+Audit Simulation::audit(AuditBy by) const { return engine_->audit(by); }
+
+}  // namespace carom

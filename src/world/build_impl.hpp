@@ -1,0 +1,276 @@
+#pragma once
+// The making of a World, in the arithmetic of Real.
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "carom/core/check.hpp"
+#include "carom/core/error.hpp"
+#include "carom/scene/validate.hpp"
+#include "carom/world/build.hpp"
+#include "choose_units.hpp"
+#include "real_number.hpp"
+#include "roster.hpp"
+#include "start_contacts.hpp"
+
+namespace carom {
+
+template <class Real>
+Time<Real> clock_time(const Number& t, int exponent) {
+  namespace mp = boost::multiprecision;
+  constexpr int bits = significand_bits<Real>;
+  Rational q = exact(t);
+  q = exponent > 0 ? Rational(q / Rational(mp::cpp_int(1) << exponent)) : Rational(q * Rational(mp::cpp_int(1) << -exponent));
+  mp::cpp_int epoch = numerator(q) / denominator(q);
+  if (Rational(epoch) > q) --epoch;  // truncation towards zero of a negative time
+  if (mp::abs(epoch) > mp::cpp_int(last_epoch)) return Time<Real>::never();
+  const Rational ticks = (q - Rational(epoch)) * Rational(mp::cpp_int(1) << bits);
+  mp::cpp_int k = numerator(ticks) / denominator(ticks);
+  const Rational rest = (ticks - Rational(k)) * 2;
+  if (rest > 1 || (rest == 1 && (k & 1) != 0)) ++k;
+  if (k == mp::cpp_int(1) << bits) {
+    k = 0;
+    ++epoch;
+  }
+  using std::ldexp;
+  Time<Real> time;
+  time.epoch = epoch.template convert_to<std::int64_t>();
+  time.offset = ldexp(Real(k), -bits);
+  return time;
+}
+
+namespace detail {
+
+template <class Real, int D>
+class WorldBuilder {
+ public:
+  explicit WorldBuilder(const Scene& scene) : scene_(scene) {}
+
+  World<Real, D> build() {
+    CAROM_EXPECT(scene_.dimension == D);
+    problems_ = validate(scene_);
+    throw_problems();
+    roster_ = make_roster(scene_);
+    world_.units = choose_units(scene_, roster_, problems_);
+    throw_problems();
+    world_.start = clock_time<Real>(scene_.run.start, world_.units.time);
+    judge_clock();
+    world_.law = scene_.collision.law;
+    fill_motion();
+    number_materials();
+    fill_space();
+    fill_walls();
+    fill_balls();
+    fill_restitution();
+    order_on_line();
+    find_start_contacts(scene_, world_, doubt_, lines_, problems_);
+    throw_problems();
+    return std::move(world_);
+  }
+
+ private:
+  using Vector = Vec<Real, D>;
+
+  void throw_problems() const {
+    if (!problems_.empty()) throw InputError(problems_);
+  }
+
+  Real length(const Number& n) const { return real_number<Real>(n, -world_.units.length); }
+  Vector point(const Coordinates& c) const {
+    Vector x;
+    for (int k = 0; k < D; ++k) x[k] = length(c[k]);
+    return x;
+  }
+  Vector velocity(const Coordinates& c) const {
+    Vector v = Vector::Zero();
+    for (int k = 0; k < D && !c.empty(); ++k) v[k] = real_number<Real>(c[k], -world_.units.velocity());
+    return v;
+  }
+
+  void judge_clock() {
+    const auto beyond = [&](const Number& t, const char* key) {
+      if (clock_time<Real>(t, world_.units.time).is_never())
+        problems_.push_back({scene_.file, scene_.run.where.line, fmt::format("{} = {} lies beyond the clock", key, t.value),
+                             fmt::format("this scene's clock counts 2^62 epochs of 2^{}", world_.units.time),
+                             "Give an earlier time, or slower balls"});
+    };
+    beyond(scene_.run.start, "start");
+    if (scene_.run.until) beyond(*scene_.run.until, "until");
+  }
+
+  void fill_motion() {
+    for (int k = 0; k < D && !scene_.motion.acceleration.empty(); ++k)
+      world_.acceleration[k] = real_number<Real>(scene_.motion.acceleration[k], -world_.units.acceleration());
+  }
+
+  void number_materials() {
+    materials_[""] = 0;
+    for (const MaterialSpec& m : scene_.materials) materials_.emplace(m.name, static_cast<std::uint32_t>(materials_.size()));
+  }
+
+  void fill_space() {
+    Space<Real, D>& space = world_.space;
+    space.kind = roster_.region.kind;
+    if (space.kind == SpaceKind::open) return;
+    const bool given = scene_.space.kind != SpaceKind::open;
+    for (int k = 0; k < D; ++k) {
+      const Number lower = given ? scene_.space.lower[k] : Number(roster_.region.lower[k]);
+      const Number upper = given ? scene_.space.upper[k] : Number(roster_.region.upper[k]);
+      space.lower[k] = length(lower);
+      space.edge[k] = length(upper) - space.lower[k];
+      upper_[k] = length(upper);
+    }
+  }
+
+  void fill_walls() {
+    Walls<Real, D>& walls = world_.walls;
+    for (const WallSpec& spec : scene_.walls) {
+      const WallId id = wall_id(walls.labels.size());
+      walls.labels.push_back(std::to_string(walls.labels.size()));
+      surfaces_.push_back({spec.material, spec.restitution});
+      add_wall(spec, id);
+    }
+    if (world_.space.kind != SpaceKind::box) return;
+    for (int k = 0; k < D; ++k)
+      for (const int sign : {+1, -1}) {
+        Face<Real, D> face;
+        face.wall = wall_id(walls.labels.size());
+        face.axis = k;
+        face.sign = sign;
+        face.coordinate = sign > 0 ? world_.space.lower[k] : upper_[k];
+        walls.faces.push_back(face);
+        walls.labels.push_back(std::string(1, "xyz"[k]) + (sign > 0 ? "-" : "+"));
+        surfaces_.push_back({scene_.space.material, scene_.space.restitution});
+      }
+  }
+
+  void add_wall(const WallSpec& spec, WallId id) {
+    using std::sqrt;
+    if (spec.kind == WallKind::plane) {
+      Plane<Real, D> plane;
+      plane.wall = id;
+      plane.point = point(spec.point);
+      plane.velocity = velocity(spec.velocity);
+      Vector n;
+      for (int k = 0; k < D; ++k) n[k] = real_number<Real>(spec.normal[k], 0);
+      // Scaled by a power of two first: any normal that is not zero will do.
+      Real largest(0);
+      for (int k = 0; k < D; ++k) largest = std::max<Real>(largest, n[k] < 0 ? Real(-n[k]) : n[k]);
+      using std::frexp;
+      using std::ldexp;
+      int exponent = 0;
+      (void)frexp(largest, &exponent);
+      for (int k = 0; k < D; ++k) n[k] = ldexp(n[k], -exponent);
+      plane.direction = n / Real(sqrt(dot<Real, D>(n, n)));
+      world_.walls.planes.push_back(plane);
+    } else if (spec.kind == WallKind::circle) {
+      Sphere<Real, D> sphere;
+      sphere.wall = id;
+      sphere.centre = point(spec.centre);
+      sphere.velocity = velocity(spec.velocity);
+      sphere.radius = length(spec.radius);
+      sphere.inside = spec.side == WallSide::inside;
+      world_.walls.spheres.push_back(sphere);
+    }
+  }
+
+  /// Appends a ball; `doubt` counts half-ulps in its inputs.
+  void add_ball(const Vector& x, const Vector& v, const Real& radius, const Number& mass, bool fixed, const std::string& material,
+                std::string name, int line, int doubt) {
+    Ball<Real, D> ball;
+    ball.position = x;
+    ball.velocity = v;
+    ball.radius = radius;
+    ball.fixed = fixed;
+    ball.time = world_.start;
+    BallDetail<Real, D> detail;
+    detail.image = wrap(world_.space, ball.position);
+    detail.mass = fixed ? std::numeric_limits<Real>::infinity() : real_number<Real>(mass, -world_.units.mass);
+    detail.material = materials_.at(material);
+    detail.name = std::move(name);
+    world_.balls.push_back(ball);
+    world_.details.push_back(std::move(detail));
+    doubt_.push_back(doubt);
+    lines_.push_back(line);
+  }
+
+  void fill_balls() {
+    const std::size_t n = scene_.balls.size() + roster_.placed();
+    world_.balls.reserve(n);
+    world_.details.reserve(n);
+    for (const BallSpec& b : scene_.balls)
+      add_ball(point(b.position), velocity(b.velocity), length(b.radius), b.mass, b.fixed, b.material, b.name, b.where.line, 1);
+    for (const PlacedGroup& g : roster_.groups) {
+      const Real radius = length(Number(g.balls.radius));
+      for (std::size_t i = 0; i * D < g.balls.position.size(); ++i) {
+        Vector x, v = Vector::Zero();
+        for (int k = 0; k < D; ++k) {
+          x[k] = length(Number(g.balls.position[i * D + k]));
+          if (!g.balls.velocity.empty())
+            v[k] = real_number<Real>(Number(g.balls.velocity[i * D + k]), -world_.units.velocity());
+        }
+        add_ball(x, v, radius, g.mass, false, g.material, "", g.line, 1);
+      }
+    }
+  }
+
+  /// material_pair > restitution written at the wall or space > smaller of the two materials > the one there is > [collision].
+  Real restitution_of(const std::string& a, const std::string& b, const std::optional<Number>& written) const {
+    for (const MaterialPairSpec& p : scene_.material_pairs)
+      if ((p.first == a && p.second == b) || (p.first == b && p.second == a)) return real_number<Real>(p.restitution, 0);
+    if (written) return real_number<Real>(*written, 0);
+    const Number* smallest = nullptr;
+    for (const MaterialSpec& m : scene_.materials)
+      if ((m.name == a || m.name == b) && (smallest == nullptr || m.restitution.value < smallest->value))
+        smallest = &m.restitution;
+    return real_number<Real>(smallest != nullptr ? *smallest : scene_.collision.restitution, 0);
+  }
+
+  void fill_restitution() {
+    world_.restitution = RestitutionTable<Real>(materials_.size(), surfaces_.size());
+    for (const auto& [a, row] : materials_) {
+      for (const auto& [b, column] : materials_) world_.restitution.set_between(row, column, restitution_of(a, b, std::nullopt));
+      for (std::size_t w = 0; w < surfaces_.size(); ++w)
+        world_.restitution.set_at_wall(row, static_cast<std::uint32_t>(w),
+                                       restitution_of(a, surfaces_[w].material, surfaces_[w].restitution));
+    }
+  }
+
+  void order_on_line() {
+    if constexpr (D == 1) {
+      std::vector<std::uint32_t> order(world_.balls.size());
+      std::iota(order.begin(), order.end(), 0u);
+      std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return world_.balls[a].position[0] < world_.balls[b].position[0];
+      });
+      for (std::size_t k = 0; k < order.size(); ++k) world_.details[order[k]].rank = static_cast<std::int32_t>(k);
+    }
+  }
+
+  struct Surface {
+    std::string material;
+    std::optional<Number> restitution;
+  };
+
+  const Scene& scene_;
+  Roster roster_;
+  World<Real, D> world_;
+  Vector upper_ = Vector::Zero();
+  std::map<std::string, std::uint32_t> materials_;
+  std::vector<Surface> surfaces_;
+  std::vector<int> doubt_, lines_;
+  std::vector<Problem> problems_;
+};
+
+}  // namespace detail
+
+template <class Real, int D>
+World<Real, D> build(const Scene& scene) {
+  return detail::WorldBuilder<Real, D>(scene).build();
+}
+
+}  // namespace carom

@@ -1,0 +1,135 @@
+#include "choose_units.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "carom/world/build.hpp"
+
+namespace carom {
+namespace {
+
+// long double (15-bit exponent): squares of anything that a scene may hold neither overflow nor underflow.
+using Wider = long double;
+
+Wider length_of(const Coordinates& v) {
+  Wider s = 0;
+  for (const Number& c : v) s += Wider(c.value) * Wider(c.value);
+  return std::sqrt(s);
+}
+
+struct Scales {
+  Wider smallest_length = HUGE_VALL;
+  Wider largest_length = 0;
+  Wider energy = 0;            ///< twice the kinetic energy of the finite masses
+  Wider lightest = HUGE_VALL;
+  Wider largest_speed = 0;     ///< of infinite masses and walls
+
+  void length(Wider l) {
+    if (l > 0) smallest_length = std::min(smallest_length, l);
+    largest_length = std::max(largest_length, l);
+  }
+};
+
+void read_walls(const Scene& scene, Scales& s) {
+  for (const WallSpec& w : scene.walls) {
+    if (w.kind == WallKind::circle) s.length(w.radius.value);
+    const auto side = [&](const Coordinates& a, const Coordinates& b) {
+      Wider d = 0;
+      for (std::size_t k = 0; k < a.size(); ++k) d += (Wider(b[k].value) - a[k].value) * (Wider(b[k].value) - a[k].value);
+      s.length(std::sqrt(d));
+    };
+    if (w.kind == WallKind::segment) side(w.from, w.to);
+    if (w.kind == WallKind::polygon)
+      for (std::size_t i = 0; i < w.vertices.size(); ++i) side(w.vertices[i], w.vertices[(i + 1) % w.vertices.size()]);
+    s.largest_speed = std::max(s.largest_speed, length_of(w.velocity));
+  }
+}
+
+void read_balls(const Scene& scene, const Roster& roster, Scales& s) {
+  Wider low = HUGE_VALL, high = -HUGE_VALL;
+  for (const BallSpec& b : scene.balls) {
+    s.length(b.radius.value);
+    for (const Number& x : b.position) {
+      low = std::min(low, Wider(x.value));
+      high = std::max(high, Wider(x.value));
+    }
+    if (b.fixed) continue;
+    const Wider v = length_of(b.velocity);
+    if (std::isinf(b.mass.value)) {
+      s.largest_speed = std::max(s.largest_speed, v);
+    } else {
+      s.energy += b.mass.value * v * v;
+      s.lightest = std::min(s.lightest, Wider(b.mass.value));
+    }
+  }
+  for (const PlacedGroup& g : roster.groups) {
+    s.length(g.balls.radius);
+    Wider sum = 0;
+    for (const double v : g.balls.velocity) sum += Wider(v) * v;
+    if (std::isinf(g.mass.value)) {
+      s.largest_speed = std::max(s.largest_speed, std::sqrt(sum));
+    } else {
+      s.energy += g.mass.value * sum;
+      s.lightest = std::min(s.lightest, Wider(g.mass.value));
+    }
+  }
+  // Points in open space have no length but the distances between them.
+  if (s.smallest_length == HUGE_VALL && high > low) s.length(high - low);
+}
+
+/// Complains about a value that is not 0 and lies beyond the range around 2^unit.
+void judge(const Scene& scene, int line, const char* what, double value, int unit, std::vector<Problem>& problems) {
+  if (value == 0 || !std::isfinite(value)) return;
+  if (std::abs(std::ilogb(value) - unit) <= exponent_range) return;
+  problems.push_back({scene.file, line, fmt::format("{} {} is out of range", what, value),
+                      fmt::format("within a scene values may span 2^{} around its unit, here 2^{}", exponent_range, unit),
+                      "Leave out what is too small or too large to matter"});
+}
+
+void judge_all(const Scene& scene, const Units& units, std::vector<Problem>& problems) {
+  for (const BallSpec& b : scene.balls) {
+    for (const Number& x : b.position) judge(scene, b.where.line, "coordinate", x, units.length, problems);
+    for (const Number& v : b.velocity) judge(scene, b.where.line, "velocity", v, units.velocity(), problems);
+    judge(scene, b.where.line, "radius", b.radius, units.length, problems);
+    judge(scene, b.where.line, "mass", b.mass, units.mass, problems);
+  }
+  for (const Coordinates* c : {&scene.space.lower, &scene.space.upper})
+    for (const Number& x : *c) judge(scene, scene.space.where.line, "coordinate", x, units.length, problems);
+  for (const WallSpec& w : scene.walls) {
+    for (const Coordinates* c : {&w.from, &w.to, &w.point, &w.centre})
+      for (const Number& x : *c) judge(scene, w.where.line, "coordinate", x, units.length, problems);
+    for (const Coordinates& vertex : w.vertices)
+      for (const Number& x : vertex) judge(scene, w.where.line, "coordinate", x, units.length, problems);
+    for (const Number& v : w.velocity) judge(scene, w.where.line, "velocity", v, units.velocity(), problems);
+    if (w.kind == WallKind::circle) judge(scene, w.where.line, "radius", w.radius, units.length, problems);
+  }
+  for (const Number& a : scene.motion.acceleration)
+    judge(scene, scene.motion.where.line, "acceleration", a, units.acceleration(), problems);
+}
+
+}  // namespace
+
+Units choose_units(const Scene& scene, const Roster& roster, std::vector<Problem>& problems) {
+  Scales s;
+  if (roster.region.kind != SpaceKind::open)
+    for (int k = 0; k < scene.dimension; ++k) s.length(Wider(roster.region.upper[k]) - roster.region.lower[k]);
+  read_walls(scene, s);
+  read_balls(scene, roster, s);
+  if (s.smallest_length == HUGE_VALL) s.length(1);
+  if (s.lightest == HUGE_VALL) s.lightest = 1;
+
+  Wider speed = std::max(s.largest_speed, std::sqrt(s.energy / s.lightest));
+  const Wider g = length_of(scene.motion.acceleration);
+  speed = std::max(speed, std::sqrt(g * s.largest_length));
+  Units units;
+  units.length = std::ilogb(s.smallest_length);
+  units.mass = std::ilogb(s.lightest);
+  units.time = speed > 0 ? units.length - (std::ilogb(speed) + 1) - 12 : -12;
+  judge_all(scene, units, problems);
+  return units;
+}
+
+}  // namespace carom

@@ -1,0 +1,220 @@
+#pragma once
+// Who touches whom at the start, and who overlaps.
+//
+// A gap is judged by f = |r|^2 - sigma^2 (or by the distance to a plane) in wide arithmetic, against the interval that half an
+// ulp of doubt in every input opens around it: 0 inside means contact by right, all of it below 0 means an overlap.
+
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "carom/core/error.hpp"
+#include "carom/world/near_pairs.hpp"
+#include "carom/world/state.hpp"
+#include "carom/world/world.hpp"
+
+namespace carom::detail {
+
+/// Half an ulp of x: the doubt that rounding an input leaves.
+template <class Real>
+[[nodiscard]] inline Real half_ulp(const Real& x) {
+  using std::frexp;
+  using std::ldexp;
+  if (x == 0) return Real(0);
+  int exponent = 0;
+  (void)frexp(x, &exponent);
+  return ldexp(Real(1), exponent - 1 - significand_bits<Real>);
+}
+
+/// Sign of a value given to within `doubt`: 0 if it cannot be told from 0.
+template <class Real>
+[[nodiscard]] inline int sign_within(const Real& value, const Real& doubt) {
+  if (value > doubt) return 1;
+  return value < -doubt ? -1 : 0;
+}
+
+template <class Real, int D>
+class StartContacts {
+ public:
+  StartContacts(const Scene& scene, World<Real, D>& world, const std::vector<int>& doubt, const std::vector<int>& lines,
+                std::vector<Problem>& problems)
+      : scene_(scene), world_(world), doubt_(doubt), lines_(lines), problems_(problems) {}
+
+  void find() {
+    std::vector<Vec<Real, D>> positions;
+    positions.reserve(world_.balls.size());
+    for (const Ball<Real, D>& b : world_.balls) positions.push_back(b.position);
+    for_each_near_pair(world_, positions, 0.0,
+                       [this](std::uint32_t i, std::uint32_t j, const Image<D>& image) { judge_pair(i, j, image); });
+    for (std::uint32_t i = 0; i < world_.balls.size(); ++i)
+      world_.walls.for_each([&](const auto& shape) { judge_wall(i, shape); });
+  }
+
+ private:
+  using W = Wide<Real>;
+  static constexpr std::size_t most_problems = 20;
+
+  [[nodiscard]] std::string name(std::uint32_t i) const {
+    const std::string& given = world_.details[i].name;
+    return given.empty() ? fmt::format("ball {}", i) : fmt::format("ball {} (\"{}\")", i, given);
+  }
+  [[nodiscard]] double in_users_length(const Real& x) const {
+    return static_cast<double>(scaled(x, world_.units.length));
+  }
+  void complain(int line, std::string what, std::string why, std::string hint) {
+    if (problems_.size() < most_problems)
+      problems_.push_back({scene_.file, line, std::move(what), std::move(why), std::move(hint)});
+  }
+
+  void judge_pair(std::uint32_t i, std::uint32_t j, const Image<D>& image) {
+    using std::abs;
+    using std::sqrt;
+    const Ball<Real, D>&a = world_.balls[i], &b = world_.balls[j];
+    const Real sigma = a.radius + b.radius;
+    if (D > 1 && sigma == 0) return;
+    W rr(Real(0));
+    Real doubt(0), spread(0);
+    for (int k = 0; k < D; ++k) {
+      W r = wide_difference<Real>(b.position[k], a.position[k]);
+      Real d = Real(doubt_[i]) * half_ulp(a.position[k]) + Real(doubt_[j]) * half_ulp(b.position[k]);
+      if (world_.space.periodic()) {
+        r = r + wide_product<Real>(Real(image[k]), world_.space.edge[k]);
+        d += abs(Real(image[k])) * half_ulp(world_.space.edge[k]);
+      }
+      rr = rr + r * r;
+      doubt += 2 * abs(narrow(r)) * d;
+      spread += d * d;
+    }
+    const Real radii_doubt = Real(doubt_[i]) * half_ulp(a.radius) + Real(doubt_[j]) * half_ulp(b.radius);
+    doubt += 2 * sigma * radii_doubt + spread + radii_doubt * radii_doubt;
+    const W sum = wide_sum<Real>(a.radius, b.radius);
+    const Real f = narrow(W(rr - sum * sum));
+    const int sign = sign_within(f, doubt);
+    if (sign > 0 || (a.fixed && b.fixed)) return;
+    if (sign < 0) {
+      if (i == j) {
+        complain(lines_[i], fmt::format("{} overlaps its own periodic image", name(i)), "the cell is narrower than the ball",
+                 "Make the cell larger");
+      } else {
+        complain(lines_[j],
+                 fmt::format("{} and {} overlap by {:.6g}", name(i), name(j),
+                             in_users_length(Real(sigma - sqrt(narrow(rr))))),
+                 "balls must start apart", "Reduce \"radius\" or move one of them");
+      }
+      return;
+    }
+    if (i == j) return;
+    Contact<D> contact;
+    contact.partner = j;
+    contact.image = image;
+    hold_contact(world_, i, contact);
+    contact.partner = i;
+    contact.image = -image;
+    hold_contact(world_, j, contact);
+  }
+
+  [[nodiscard]] Real doubt_of(const Vec<Real, D>& direction, std::uint32_t i, const Vec<Real, D>& reference) const {
+    using std::abs;
+    Real d = Real(doubt_[i]) * half_ulp(world_.balls[i].radius);
+    for (int k = 0; k < D; ++k)
+      d += abs(direction[k]) * (Real(doubt_[i]) * half_ulp(world_.balls[i].position[k]) + half_ulp(reference[k]));
+    return d;
+  }
+
+  void judge_wall(std::uint32_t i, const Face<Real, D>& face) {
+    const Ball<Real, D>& b = world_.balls[i];
+    const W distance = face.sign > 0 ? wide_difference<Real>(b.position[face.axis], face.coordinate)
+                                     : wide_difference<Real>(face.coordinate, b.position[face.axis]);
+    Vec<Real, D> reference = Vec<Real, D>::Zero();
+    reference[face.axis] = face.coordinate;
+    settle(i, face, narrow(W(distance - W(b.radius))), doubt_of(face.normal(b.position), i, reference));
+  }
+
+  void judge_wall(std::uint32_t i, const Plane<Real, D>& plane) {
+    using std::abs;
+    const Ball<Real, D>& b = world_.balls[i];
+    W distance(Real(0));
+    Real size(0);
+    for (int k = 0; k < D; ++k) {
+      const W along = wide_difference<Real>(b.position[k], plane.point[k]);
+      distance = distance + along * W(plane.direction[k]);
+      size += abs(narrow(along));
+    }
+    // A component of the unit normal carries an error of at most 3 u: sum of squares, root, quotient.
+    const Real tilt = axis_aligned(plane.direction) ? Real(0) : Real(3 * unit_roundoff<Real>() * size);
+    settle(i, plane, narrow(W(distance - W(b.radius))), doubt_of(plane.direction, i, plane.point) + tilt);
+  }
+
+  void judge_wall(std::uint32_t i, const Sphere<Real, D>& sphere) {
+    using std::abs;
+    using std::sqrt;
+    const Ball<Real, D>& b = world_.balls[i];
+    const W reach = sphere.inside ? wide_difference<Real>(sphere.radius, b.radius) : wide_sum<Real>(sphere.radius, b.radius);
+    if (sphere.inside && !(narrow(reach) > 0)) {
+      complain(lines_[i], fmt::format("{} does not fit into wall {}", name(i), label(sphere)),
+               "its radius is not below that of the circle", "Reduce \"radius\"");
+      return;
+    }
+    W rr(Real(0));
+    Real doubt(0), spread(0);
+    for (int k = 0; k < D; ++k) {
+      const W r = wide_difference<Real>(b.position[k], sphere.centre[k]);
+      const Real d = Real(doubt_[i]) * half_ulp(b.position[k]) + half_ulp(sphere.centre[k]);
+      rr = rr + r * r;
+      doubt += 2 * abs(narrow(r)) * d;
+      spread += d * d;
+    }
+    const Real radii_doubt = Real(doubt_[i]) * half_ulp(b.radius) + half_ulp(sphere.radius);
+    doubt += 2 * narrow(reach) * radii_doubt + spread + radii_doubt * radii_doubt;
+    const W outside = rr - reach * reach;
+    const W f = sphere.inside ? W(Real(0)) - outside : outside;
+    // As a length, for the message: f = (|r| - reach)(|r| + reach).
+    const Real sum = sqrt(narrow(rr)) + narrow(reach);
+    if (sum > 0) settle(i, sphere, Real(narrow(f) / sum), Real(doubt / sum));
+  }
+
+  template <class Shape>
+  void settle(std::uint32_t i, const Shape& shape, const Real& gap, const Real& doubt) {
+    const int sign = sign_within(gap, doubt);
+    if (sign > 0 || world_.balls[i].fixed) return;
+    if (sign < 0) {
+      const std::string where = label(shape);
+      const bool face = !where.empty() && where[0] >= 'x';
+      complain(lines_[i],
+               fmt::format("{} reaches {:.6g} {} {}", name(i), in_users_length(Real(-gap)), face ? "out of the box through face" : "across wall",
+                           where),
+               "a ball starts inside its space, at least its radius away from every wall", "Move the ball or reduce \"radius\"");
+      return;
+    }
+    Contact<D> contact;
+    contact.party = Party::wall;
+    contact.partner = index(shape.wall);
+    contact.feature = shape.feature;
+    hold_contact(world_, i, contact);
+  }
+
+  [[nodiscard]] static bool axis_aligned(const Vec<Real, D>& n) {
+    int zeros = 0;
+    for (int k = 0; k < D; ++k) zeros += n[k] == 0;
+    return zeros == D - 1;
+  }
+  template <class Shape>
+  [[nodiscard]] std::string label(const Shape& shape) const {
+    return world_.walls.labels[index(shape.wall)];
+  }
+
+  const Scene& scene_;
+  World<Real, D>& world_;
+  const std::vector<int>& doubt_;
+  const std::vector<int>& lines_;
+  std::vector<Problem>& problems_;
+};
+
+template <class Real, int D>
+void find_start_contacts(const Scene& scene, World<Real, D>& world, const std::vector<int>& doubt,
+                         const std::vector<int>& lines, std::vector<Problem>& problems) {
+  StartContacts<Real, D>(scene, world, doubt, lines, problems).find();
+}
+
+}  // namespace carom::detail
