@@ -6,8 +6,8 @@ function(carom_floating_point_contract target)
   target_compile_definitions(${target} PUBLIC $<$<CONFIG:Debug,RelWithDebInfo>:CAROM_CHECKS>)
 endfunction()
 
-# Not -Wmaybe-uninitialized: g++ 12 reports it wrongly inside <regex> and Boost's cpp_int.
+# Not -Wmaybe-uninitialized, -Wrestrict: g++ 12 reports them wrongly inside <regex>, Boost's cpp_int and std::string.
 function(carom_warnings target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
-    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized> $<$<BOOL:${CAROM_WARNINGS_AS_ERRORS}>:-Werror>)
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized> $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<BOOL:${CAROM_WARNINGS_AS_ERRORS}>:-Werror>)
 endfunction()

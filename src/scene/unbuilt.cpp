@@ -47,17 +47,6 @@ constexpr std::array unbuilt{
     Unbuilt{"output.checkpoint"},
     Unbuilt{"ensemble"},
 
-    // Next to be built.
-    Unbuilt{"space.kind", "periodic"},
-    Unbuilt{"gas"},
-    Unbuilt{"motion.acceleration"},
-    Unbuilt{"collision.law", "stick"},
-    Unbuilt{"collision.law", "merge"},
-    Unbuilt{"wall.kind", "segment"},
-    Unbuilt{"wall.kind", "polygon"},
-    Unbuilt{"wall.velocity", "segment"},
-    Unbuilt{"wall.velocity", "plane"},
-    Unbuilt{"engine.search", "cells"},
     Unbuilt{"observe.after"},
     Unbuilt{"observe.pressure"},
     Unbuilt{"observe.collision_rate"},

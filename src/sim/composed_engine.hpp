@@ -16,8 +16,11 @@ class ComposedEngine final : public Simulation::Engine {
   using Real = typename M::Real;
   static constexpr int D = M::dimension;
 
-  ComposedEngine(const Scene& scene, World<Real, D> world, const M& motion, Composition composition)
-      : Engine(scene, std::move(composition)), world_(std::move(world)), engine_(world_, motion), reached_(world_.start),
+  ComposedEngine(const Scene& scene, World<Real, D> world, const M& motion, Composition composition, Search search)
+      : Engine(scene, std::move(composition)),
+        world_(std::move(world)),
+        engine_(world_, motion, std::move(search)),
+        reached_(world_.start),
         start_(totals_at(motion, world_, world_.start)) {
     conserved_momentum_ = world_.walls.empty() && !world_.accelerated();
     for (const auto& d : world_.details) conserved_momentum_ = conserved_momentum_ && !detail::infinite(d.mass);
@@ -40,10 +43,12 @@ class ComposedEngine final : public Simulation::Engine {
     return stop_;
   }
 
+  void return_to_last_event() override { reached_ = engine_.now(); }
   [[nodiscard]] double time() const override { return in_users_time(reached_); }
   [[nodiscard]] const EventCounts& counts() const override { return engine_.counts(); }
   [[nodiscard]] std::uint32_t ball_count() const override { return static_cast<std::uint32_t>(world_.balls.size()); }
   [[nodiscard]] bool alive(std::uint32_t i) const override { return world_.balls.at(i).alive; }
+  [[nodiscard]] std::uint32_t wall_count() const override { return static_cast<std::uint32_t>(world_.walls.labels.size()); }
   [[nodiscard]] std::string wall_label(std::uint32_t wall) const override { return world_.walls.labels.at(wall); }
   [[nodiscard]] Units units() const override { return world_.units; }
 
@@ -90,8 +95,12 @@ class ComposedEngine final : public Simulation::Engine {
     s.momentum = momentum(now);
     s.angular_momentum = angular_momentum(now);
     const Exactness<Real>& e = engine_.exactness();
-    s.exactness = {user(e.max_gap_error, world_.units.length), static_cast<double>(e.max_gap_error_relative), e.clamped,
-                   e.unresolved, e.singular, e.repredicted};
+    s.exactness = {user(e.max_gap_error, world_.units.length),
+                   static_cast<double>(e.max_gap_error_relative),
+                   e.clamped,
+                   e.unresolved,
+                   e.singular,
+                   e.repredicted};
     return s;
   }
 
@@ -156,7 +165,8 @@ class ComposedEngine final : public Simulation::Engine {
   }
   [[nodiscard]] VectorBalance angular_momentum(const Totals<Real, D>& now) const {
     return balance(start_.angular_momentum, now.angular_momentum, Totals<Real, D>::rotations, start_.angular_momentum_size,
-                   conserved_momentum_ && D > 1 && !world_.space.periodic(), world_.units.angular_momentum());
+                   conserved_momentum_ && D > 1 && !world_.space.periodic() && world_.law == LawKind::restitution,
+                   world_.units.angular_momentum());
   }
 
   /// Hands records on as collisions in the user's units.

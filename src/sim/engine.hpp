@@ -12,7 +12,11 @@ namespace carom {
 class Simulation::Engine {
  public:
   Engine(const Scene& scene, Composition composition)
-      : title(scene.title), dimension(scene.dimension), seed(scene.run.seed), until(scene.run.until), events(scene.run.events),
+      : title(scene.title),
+        dimension(scene.dimension),
+        seed(scene.run.seed),
+        until(scene.run.until),
+        events(scene.run.events),
         composition_(std::move(composition)) {}
   virtual ~Engine() = default;
   Engine(const Engine&) = delete;
@@ -20,12 +24,14 @@ class Simulation::Engine {
 
   virtual Stop advance(const std::optional<Number>& until, std::optional<std::int64_t> events, const CollisionSink& sink,
                        const std::atomic<bool>* interrupt) = 0;
+  virtual void return_to_last_event() = 0;
   [[nodiscard]] virtual double time() const = 0;
   [[nodiscard]] virtual Summary summary() const = 0;
   [[nodiscard]] virtual const EventCounts& counts() const = 0;
   [[nodiscard]] virtual std::uint32_t ball_count() const = 0;
   [[nodiscard]] virtual bool alive(std::uint32_t number) const = 0;
   [[nodiscard]] virtual BallState ball(std::uint32_t number) const = 0;
+  [[nodiscard]] virtual std::uint32_t wall_count() const = 0;
   [[nodiscard]] virtual std::string wall_label(std::uint32_t wall) const = 0;
   [[nodiscard]] virtual Units units() const = 0;
   [[nodiscard]] virtual Audit audit(AuditBy by) const = 0;

@@ -46,6 +46,8 @@ std::vector<BallState> Simulation::balls() const {
   return left;
 }
 
+void Simulation::return_to_last_event() { engine_->return_to_last_event(); }
+std::uint32_t Simulation::wall_count() const { return engine_->wall_count(); }
 std::string Simulation::wall_label(std::uint32_t wall) const { return engine_->wall_label(wall); }
 int Simulation::dimension() const { return engine_->dimension; }
 double Simulation::epoch_length() const { return engine_->units().epoch_length(); }

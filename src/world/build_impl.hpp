@@ -24,7 +24,8 @@ Time<Real> clock_time(const Number& t, int exponent) {
   namespace mp = boost::multiprecision;
   constexpr int bits = significand_bits<Real>;
   Rational q = exact(t);
-  q = exponent > 0 ? Rational(q / Rational(mp::cpp_int(1) << exponent)) : Rational(q * Rational(mp::cpp_int(1) << -exponent));
+  q = exponent > 0 ? Rational(q / Rational(mp::cpp_int(1) << exponent))
+                   : Rational(q * Rational(mp::cpp_int(1) << -exponent));
   mp::cpp_int epoch = numerator(q) / denominator(q);
   if (Rational(epoch) > q) --epoch;  // truncation towards zero of a negative time
   if (mp::abs(epoch) > mp::cpp_int(last_epoch)) return Time<Real>::never();
@@ -109,7 +110,8 @@ class WorldBuilder {
 
   void number_materials() {
     materials_[""] = 0;
-    for (const MaterialSpec& m : scene_.materials) materials_.emplace(m.name, static_cast<std::uint32_t>(materials_.size()));
+    for (const MaterialSpec& m : scene_.materials)
+      materials_.emplace(m.name, static_cast<std::uint32_t>(materials_.size()));
   }
 
   void fill_space() {
@@ -129,6 +131,11 @@ class WorldBuilder {
   void fill_walls() {
     Walls<Real, D>& walls = world_.walls;
     for (const WallSpec& spec : scene_.walls) {
+      if (world_.space.periodic()) {
+        problems_.push_back({scene_.file, spec.where.line, "walls in a periodic space are not built yet",
+                             "a wall would have to stand in every period", "Use fixed balls, or a box"});
+        continue;
+      }
       const WallId id = wall_id(walls.labels.size());
       walls.labels.push_back(std::to_string(walls.labels.size()));
       surfaces_.push_back({spec.material, spec.restitution});
@@ -175,12 +182,45 @@ class WorldBuilder {
       sphere.radius = length(spec.radius);
       sphere.inside = spec.side == WallSide::inside;
       world_.walls.spheres.push_back(sphere);
+    } else if constexpr (D == 2) {
+      const std::vector<Coordinates> corners =
+          spec.kind == WallKind::polygon ? spec.vertices : std::vector<Coordinates>{spec.from, spec.to};
+      const std::size_t n = corners.size(), edges = spec.kind == WallKind::polygon ? n : 1;
+      for (std::size_t e = 0; e < edges; ++e)
+        world_.walls.segments.push_back(segment(spec, id, static_cast<std::int32_t>(e), corners[e], corners[(e + 1) % n]));
+      for (std::size_t c = 0; c < n; ++c)
+        world_.walls.spheres.push_back(vertex(spec, id, static_cast<std::int32_t>(edges + c), corners[c]));
     }
   }
 
+  Segment<Real> segment(const WallSpec& spec, WallId id, std::int32_t feature, const Coordinates& from,
+                        const Coordinates& to) const requires(D == 2) {
+    using std::sqrt;
+    Segment<Real> s;
+    s.wall = id;
+    s.feature = feature;
+    s.from = point(from);
+    s.to = point(to);
+    s.velocity = velocity(spec.velocity);
+    const Vector edge = s.to - s.from;
+    s.along = edge / Real(sqrt(dot<Real, D>(edge, edge)));
+    s.direction = Vector(-s.along[1], s.along[0]);
+    return s;
+  }
+  /// A vertex is a point that balls may hit: a sphere of radius 0.
+  Sphere<Real, D> vertex(const WallSpec& spec, WallId id, std::int32_t feature, const Coordinates& at) const {
+    Sphere<Real, D> s;
+    s.wall = id;
+    s.feature = feature;
+    s.centre = point(at);
+    s.velocity = velocity(spec.velocity);
+    s.inside = false;
+    return s;
+  }
+
   /// Appends a ball; `doubt` counts half-ulps in its inputs.
-  void add_ball(const Vector& x, const Vector& v, const Real& radius, const Number& mass, bool fixed, const std::string& material,
-                std::string name, int line, int doubt) {
+  void add_ball(const Vector& x, const Vector& v, const Real& radius, const Number& mass, bool fixed,
+                const std::string& material, std::string name, int line, int doubt) {
     Ball<Real, D> ball;
     ball.position = x;
     ball.velocity = v;
@@ -203,7 +243,8 @@ class WorldBuilder {
     world_.balls.reserve(n);
     world_.details.reserve(n);
     for (const BallSpec& b : scene_.balls)
-      add_ball(point(b.position), velocity(b.velocity), length(b.radius), b.mass, b.fixed, b.material, b.name, b.where.line, 1);
+      add_ball(point(b.position), velocity(b.velocity), length(b.radius), b.mass, b.fixed, b.material, b.name, b.where.line,
+               1);
     for (const PlacedGroup& g : roster_.groups) {
       const Real radius = length(Number(g.balls.radius));
       for (std::size_t i = 0; i * D < g.balls.position.size(); ++i) {
@@ -218,7 +259,8 @@ class WorldBuilder {
     }
   }
 
-  /// material_pair > restitution written at the wall or space > smaller of the two materials > the one there is > [collision].
+  /// material_pair > restitution written at the wall or space > smaller of the two materials > the one there is >
+  /// [collision].
   Real restitution_of(const std::string& a, const std::string& b, const std::optional<Number>& written) const {
     for (const MaterialPairSpec& p : scene_.material_pairs)
       if ((p.first == a && p.second == b) || (p.first == b && p.second == a)) return real_number<Real>(p.restitution, 0);
@@ -233,7 +275,8 @@ class WorldBuilder {
   void fill_restitution() {
     world_.restitution = RestitutionTable<Real>(materials_.size(), surfaces_.size());
     for (const auto& [a, row] : materials_) {
-      for (const auto& [b, column] : materials_) world_.restitution.set_between(row, column, restitution_of(a, b, std::nullopt));
+      for (const auto& [b, column] : materials_)
+        world_.restitution.set_between(row, column, restitution_of(a, b, std::nullopt));
       for (std::size_t w = 0; w < surfaces_.size(); ++w)
         world_.restitution.set_at_wall(row, static_cast<std::uint32_t>(w),
                                        restitution_of(a, surfaces_[w].material, surfaces_[w].restitution));

@@ -23,9 +23,9 @@ Wider length_of(const Coordinates& v) {
 struct Scales {
   Wider smallest_length = HUGE_VALL;
   Wider largest_length = 0;
-  Wider energy = 0;            ///< twice the kinetic energy of the finite masses
+  Wider energy = 0;  ///< twice the kinetic energy of the finite masses
   Wider lightest = HUGE_VALL;
-  Wider largest_speed = 0;     ///< of infinite masses and walls
+  Wider largest_speed = 0;  ///< of infinite masses and walls
 
   void length(Wider l) {
     if (l > 0) smallest_length = std::min(smallest_length, l);

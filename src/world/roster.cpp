@@ -51,7 +51,8 @@ double clearance(const WallSpec& wall, const double* x, int dimension) {
     case WallKind::polygon: {
       double nearest = HUGE_VAL;
       for (std::size_t i = 0; i < wall.vertices.size(); ++i)
-        nearest = std::min(nearest, distance_to_segment(x, wall.vertices[i], wall.vertices[(i + 1) % wall.vertices.size()]));
+        nearest =
+            std::min(nearest, distance_to_segment(x, wall.vertices[i], wall.vertices[(i + 1) % wall.vertices.size()]));
       return nearest;
     }
   }

@@ -1,8 +1,8 @@
 #pragma once
 // Who touches whom at the start, and who overlaps.
 //
-// A gap is judged by f = |r|^2 - sigma^2 (or by the distance to a plane) in wide arithmetic, against the interval that half an
-// ulp of doubt in every input opens around it: 0 inside means contact by right, all of it below 0 means an overlap.
+// A gap is judged by f = |r|^2 - sigma^2 (or by the distance to a plane) in wide arithmetic, against the interval that half
+// an ulp of doubt in every input opens around it: 0 inside means contact by right, all of it below 0 means an overlap.
 
 #include <string>
 #include <vector>
@@ -59,9 +59,7 @@ class StartContacts {
     const std::string& given = world_.details[i].name;
     return given.empty() ? fmt::format("ball {}", i) : fmt::format("ball {} (\"{}\")", i, given);
   }
-  [[nodiscard]] double in_users_length(const Real& x) const {
-    return static_cast<double>(scaled(x, world_.units.length));
-  }
+  [[nodiscard]] double in_users_length(const Real& x) const { return static_cast<double>(scaled(x, world_.units.length)); }
   void complain(int line, std::string what, std::string why, std::string hint) {
     if (problems_.size() < most_problems)
       problems_.push_back({scene_.file, line, std::move(what), std::move(why), std::move(hint)});
@@ -94,13 +92,13 @@ class StartContacts {
     if (sign > 0 || (a.fixed && b.fixed)) return;
     if (sign < 0) {
       if (i == j) {
-        complain(lines_[i], fmt::format("{} overlaps its own periodic image", name(i)), "the cell is narrower than the ball",
-                 "Make the cell larger");
+        complain(lines_[i], fmt::format("{} overlaps its own periodic image", name(i)),
+                 "the cell is narrower than the ball", "Make the cell larger");
       } else {
-        complain(lines_[j],
-                 fmt::format("{} and {} overlap by {:.6g}", name(i), name(j),
-                             in_users_length(Real(sigma - sqrt(narrow(rr))))),
-                 "balls must start apart", "Reduce \"radius\" or move one of them");
+        complain(
+            lines_[j],
+            fmt::format("{} and {} overlap by {:.6g}", name(i), name(j), in_users_length(Real(sigma - sqrt(narrow(rr))))),
+            "balls must start apart", "Reduce \"radius\" or move one of them");
       }
       return;
     }
@@ -150,7 +148,8 @@ class StartContacts {
     using std::abs;
     using std::sqrt;
     const Ball<Real, D>& b = world_.balls[i];
-    const W reach = sphere.inside ? wide_difference<Real>(sphere.radius, b.radius) : wide_sum<Real>(sphere.radius, b.radius);
+    const W reach =
+        sphere.inside ? wide_difference<Real>(sphere.radius, b.radius) : wide_sum<Real>(sphere.radius, b.radius);
     if (sphere.inside && !(narrow(reach) > 0)) {
       complain(lines_[i], fmt::format("{} does not fit into wall {}", name(i), label(sphere)),
                "its radius is not below that of the circle", "Reduce \"radius\"");
@@ -174,23 +173,50 @@ class StartContacts {
     if (sum > 0) settle(i, sphere, Real(narrow(f) / sum), Real(doubt / sum));
   }
 
+  void judge_wall(std::uint32_t i, const Segment<Real>& segment) requires(D == 2) {
+    using std::abs;
+    const Ball<Real, D>& b = world_.balls[i];
+    W height(Real(0)), before(Real(0)), beyond(Real(0));
+    Real size(0);
+    for (int k = 0; k < D; ++k) {
+      const W along = wide_difference<Real>(b.position[k], segment.from[k]);
+      height = height + along * W(segment.direction[k]);
+      before = before + along * W(segment.along[k]);
+      beyond = beyond + wide_difference<Real>(b.position[k], segment.to[k]) * W(segment.along[k]);
+      size += abs(narrow(along));
+    }
+    if (narrow(before) < 0 || narrow(beyond) > 0) return;  // the ends judge for themselves
+    const Real tilt = axis_aligned(segment.direction) ? Real(0) : Real(4 * unit_roundoff<Real>() * size);
+    const Real doubt = doubt_of(segment.direction, i, segment.from) + tilt;
+    const Real h = narrow(height);
+    int side = sign_within(h, doubt);
+    if (side == 0) {  // on the wall: the side that the velocity points to
+      const Real rate = dot<Real, D>(segment.direction, b.velocity - segment.velocity);
+      const Real pull = dot<Real, D>(segment.direction, world_.acceleration);
+      side = rate > 0 || (rate == 0 && pull > 0) ? 1 : -1;
+    }
+    settle(i, segment, narrow(W(side > 0 ? height : W(-h)) - W(b.radius)), doubt, static_cast<std::int8_t>(side));
+  }
+
   template <class Shape>
-  void settle(std::uint32_t i, const Shape& shape, const Real& gap, const Real& doubt) {
+  void settle(std::uint32_t i, const Shape& shape, const Real& gap, const Real& doubt, std::int8_t side = 0) {
     const int sign = sign_within(gap, doubt);
     if (sign > 0 || world_.balls[i].fixed) return;
     if (sign < 0) {
       const std::string where = label(shape);
       const bool face = !where.empty() && where[0] >= 'x';
       complain(lines_[i],
-               fmt::format("{} reaches {:.6g} {} {}", name(i), in_users_length(Real(-gap)), face ? "out of the box through face" : "across wall",
-                           where),
-               "a ball starts inside its space, at least its radius away from every wall", "Move the ball or reduce \"radius\"");
+               fmt::format("{} reaches {:.6g} {} {}", name(i), in_users_length(Real(-gap)),
+                           face ? "out of the box through face" : "across wall", where),
+               "a ball starts inside its space, at least its radius away from every wall",
+               "Move the ball or reduce \"radius\"");
       return;
     }
     Contact<D> contact;
     contact.party = Party::wall;
     contact.partner = index(shape.wall);
     contact.feature = shape.feature;
+    contact.side = side;
     hold_contact(world_, i, contact);
   }
 

@@ -104,6 +104,7 @@ TEST(FirstFall, of_a_parabola_is_right_and_within_its_bound) {
     ++(truth ? events : misses);
     if (truth) worst = std::max(worst, oracle::error_in_u(t, *truth));
   }
+  testing::Test::RecordProperty("worst_in_u", std::to_string(worst));
   EXPECT_LE(worst, parabola_error);
   EXPECT_GT(events, 2000);
   EXPECT_GT(misses, 2000);

@@ -131,6 +131,7 @@ void expect_right_on_random_input(std::uint64_t seed) {
     worst = std::max(worst, checked_meet<D>(r, v, sigma));
     ++(meet_time<double, D>(r, v, sigma) == no ? misses : meetings);
   }
+  testing::Test::RecordProperty("worst_in_u", std::to_string(worst));
   EXPECT_LE(worst, meet_time_error);
   EXPECT_GT(worst, meet_time_error / 20);  // the sample comes near the bound
   EXPECT_GT(meetings, 2000);
@@ -246,6 +247,7 @@ void expect_leaving_right(std::uint64_t seed) {
     const Vec<double, D> v = (m * std::cos(angle) + n * std::sin(angle)) * random.log_uniform(1e-20, 1e20);
     worst = std::max(worst, checked_leave<D>(r, v, rho));
   }
+  testing::Test::RecordProperty("worst_in_u", std::to_string(worst));
   EXPECT_LE(worst, leave_time_error);
   EXPECT_GT(worst, leave_time_error / 20);
 }
@@ -276,6 +278,7 @@ TEST(ChordTime, is_within_its_bound_along_the_wall) {
       worst = std::max(worst, oracle::error_in_u(chord_time(r, v), Exact(-2 * terms.b / terms.a)));
     }
   }
+  testing::Test::RecordProperty("worst_in_u", std::to_string(worst));
   EXPECT_LE(worst, chord_time_error);
   EXPECT_GT(worst, 1.0);
 }

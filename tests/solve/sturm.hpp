@@ -71,7 +71,6 @@ inline std::vector<Digits300> positive_roots(const Coefficients& p, const Digits
       const Digits300 middle = hi > 2 * lo ? Digits300(sqrt(lo * hi)) : Digits300((lo + hi) / 2);
       (at_zero - sign_changes(chain, middle) >= k ? hi : lo) = middle;
     }
-    while (at_zero - sign_changes(chain, lo) == k) break;
     const bool falls = evaluate(p, hi) < 0;
     for (int i = 0; i < 200; ++i) {
       const Digits300 middle = (lo + hi) / 2;

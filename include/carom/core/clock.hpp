@@ -9,9 +9,9 @@ namespace carom {
 /// A moment, in units of the epoch length L: `epoch` + `offset`, with offset in [0, 1) a multiple of 2^-p, where p is the
 /// number of significand bits of Real (53 for double).
 ///
-/// Two offsets lie on one grid and differ by less than 1, so their difference is exact; `elapsed` is rounded once (while the
-/// epochs differ by less than 2^p). Adding a whole number of epochs to every time of a run changes no elapsed time and no
-/// offset, so it changes no decision [papers/clock.md].
+/// Two offsets lie on one grid and differ by less than 1, so their difference is exact; `elapsed` is rounded once (while
+/// the epochs differ by less than 2^p). Adding a whole number of epochs to every time of a run changes no elapsed time and
+/// no offset, so it changes no decision [papers/clock.md].
 template <class Real>
 struct Time {
   std::int64_t epoch = 0;
@@ -39,15 +39,15 @@ template <class Real>
   return Real(to.epoch - from.epoch) + (to.offset - from.offset);
 }
 
-/// The moment `flight` >= 0 after `t`, rounded to the grid. Monotone in `flight`. `never` if flight is infinite or leads beyond
-/// `last_epoch`.
+/// The moment `flight` >= 0 after `t`, rounded to the grid. Monotone in `flight`. `never` if flight is infinite or leads
+/// beyond `last_epoch`.
 template <class Real>
 [[nodiscard]] inline Time<Real> after(const Time<Real>& t, const Real& flight) {
   constexpr double limit = 4611686018427387904.0;  // 2^62
   if (!(flight < Real(limit))) return Time<Real>::never();
   const std::int64_t whole = static_cast<std::int64_t>(flight);
-  const Real part = flight - Real(whole);     // exact: flight and its integer part share a grid
-  const Real past = part + (t.offset - 1);    // t.offset - 1 is exact
+  const Real part = flight - Real(whole);   // exact: flight and its integer part share a grid
+  const Real past = part + (t.offset - 1);  // t.offset - 1 is exact
   Time<Real> sum{t.epoch + whole, past};
   if (past >= 0) {
     ++sum.epoch;

@@ -2,7 +2,8 @@
 // Error-free sums and products of doubles, and the unevaluated sum of two doubles built from them.
 //
 // Everything here is round-to-nearest arithmetic without contraction; u = 2^-53. Error bounds hold barring overflow and
-// underflow (products below 2^-968 lose their low part) and are those of [Joldes2017], sharpened by [Muller2022] where named.
+// underflow (products below 2^-968 lose their low part) and are those of [Joldes2017], sharpened by [Muller2022] where
+// named.
 
 #include <cmath>
 #include <compare>
@@ -36,7 +37,7 @@ struct DoubleDouble {
   return {s, b - (s - a)};
 }
 
-/// a + b exactly. [Knuth1997, 4.2.2 theorem B]
+/// a + b exactly. [Knuth1997, section 4.2.2]
 [[nodiscard]] constexpr DoubleDouble two_sum(double a, double b) {
   const double s = a + b;
   const double t = s - a;
@@ -124,7 +125,7 @@ namespace detail {
 }
 [[nodiscard]] constexpr DoubleDouble operator/(double x, const DoubleDouble& y) { return DoubleDouble(x) / y; }
 
-/// Relative error <= 25/8 u^2; x >= 0. [Lefevre2022, SQRTDWtoDW]
+/// Relative error <= 25/8 u^2; x >= 0. [Lefevre2023, SQRTDWtoDW]
 [[nodiscard]] inline DoubleDouble sqrt(const DoubleDouble& x) {
   if (!(x.hi > 0.0)) return DoubleDouble(std::sqrt(x.hi));
   const double s = std::sqrt(x.hi);

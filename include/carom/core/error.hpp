@@ -9,11 +9,11 @@ namespace carom {
 
 /// One thing wrong in a scene or on the command line: `file:line: what (why). hint`.
 struct Problem {
-  std::string file;   ///< scene file; empty: set in code or on the command line
-  int line = 0;       ///< 1-based; 0: no line
-  std::string what;   ///< what is wrong, with the value found
-  std::string why;    ///< the rule that it breaks; may be empty
-  std::string hint;   ///< what to do; may be empty
+  std::string file;  ///< scene file; empty: set in code or on the command line
+  int line = 0;      ///< 1-based; 0: no line
+  std::string what;  ///< what is wrong, with the value found
+  std::string why;   ///< the rule that it breaks; may be empty
+  std::string hint;  ///< what to do; may be empty
 
   [[nodiscard]] std::string text() const;
 };

@@ -12,17 +12,17 @@ namespace carom {
 template <class Real, int D>
 struct Impact {
   std::array<Wide<Real>, D> r;  ///< from body a's centre towards body b's (or along a wall's normal); any length > 0
-  Vec<Real, D> va, vb;            ///< [length unit / L] before
-  Real ma, mb;                    ///< [mass unit]
-  Real e;                         ///< coefficient of restitution [-]
+  Vec<Real, D> va, vb;          ///< [length unit / L] before
+  Real ma, mb;                  ///< [mass unit]
+  Real e;                       ///< coefficient of restitution [-]
 };
 
 template <class Real, int D>
 struct Outcome {
-  Vec<Real, D> va, vb;            ///< after
-  Real impulse;                   ///< [mass unit length unit / L] size of the impulse, >= 0
-  Wide<Real> dissipated;        ///< [energy] mu (1 - e^2) g_n^2 / 2, from the values before
-  Wide<Real> injected;          ///< [energy] J.V of the infinite mass, from the values before
+  Vec<Real, D> va, vb;    ///< after
+  Real impulse;           ///< [mass unit length unit / L] size of the impulse, >= 0
+  Wide<Real> dissipated;  ///< [energy] mu (1 - e^2) g_n^2 / 2, from the values before
+  Wide<Real> injected;    ///< [energy] J.V of the infinite mass, from the values before
 };
 
 namespace detail {
@@ -44,8 +44,8 @@ template <class Real>
 
 /// v_a' = v_a - s_a (1 + e) (g.r / r.r) r,  v_b' = v_b + s_b (1 + e) (g.r / r.r) r,  g = v_a - v_b
 /// [papers/impact.md, eq. 4], with the actual r at the contact: an error in the gap costs no energy. All but the last
-/// operation is carried out in twice the precision and each component of velocity is rounded once, so the error of the energy is
-/// an unbiased walk. If g.r <= 0 after rounding (a grazing contact) there is no impulse: bodies never pull.
+/// operation is carried out in twice the precision and each component of velocity is rounded once, so the error of the
+/// energy is an unbiased walk. If g.r <= 0 after rounding (a grazing contact) there is no impulse: bodies never pull.
 template <class Real, int D>
 [[nodiscard]] inline Outcome<Real, D> resolve_impact(const Impact<Real, D>& in) {
   using W = Wide<Real>;
@@ -79,7 +79,7 @@ template <class Real, int D>
   }
 
   const W mu = detail::infinite(in.ma) ? W(in.mb) : sa * W(in.ma);  // m_a m_b / (m_a + m_b)
-  const W per_length = mu * k_r;                                          // J / |r|
+  const W per_length = mu * k_r;                                    // J / |r|
   out.impulse = narrow(per_length) * sqrt(narrow(rr));
   if (in.e != 1) {
     const W loss = W(Real(1)) - W(in.e) * W(in.e);

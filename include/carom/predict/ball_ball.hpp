@@ -4,7 +4,7 @@
 #include "carom/motion/motion.hpp"
 #include "carom/predict/contact.hpp"
 #include "carom/predict/event.hpp"
-#include "carom/solve/polynomial.hpp"
+#include "carom/solve/accelerated.hpp"
 #include "carom/solve/quadratic.hpp"
 #include "carom/world/world.hpp"
 
@@ -13,15 +13,15 @@ namespace carom {
 /// Ball b relative to ball a at the later of their stored times.
 template <class Real, int D>
 struct Relative {
-  Vec<Real, D> r;        ///< x_b - x_a + image * edge
-  Vec<Real, D> v;        ///< v_b - v_a
+  Vec<Real, D> r;  ///< x_b - x_a + image * edge
+  Vec<Real, D> v;  ///< v_b - v_a
   const Time<Real>* since;
 };
 
 /// Both are advanced to the later of their stored times; exchanging the balls changes signs only.
 template <Motion M>
-[[nodiscard]] inline Relative<typename M::Real, M::dimension> relative_state(const M& motion,
-    const World<typename M::Real, M::dimension>& world, const Ball<typename M::Real, M::dimension>& a,
+[[nodiscard]] inline Relative<typename M::Real, M::dimension> relative_state(
+    const M& motion, const World<typename M::Real, M::dimension>& world, const Ball<typename M::Real, M::dimension>& a,
     const Ball<typename M::Real, M::dimension>& b, const Image<M::dimension>& image) {
   using Real = typename M::Real;
   Relative<Real, M::dimension> relative;
@@ -44,7 +44,8 @@ template <Motion M>
 /// 1-D: +1 if the image of ball j lies to the right of ball i, else -1. Balls on a line never change their order, so the
 /// order at the start decides, not the rounded positions.
 template <class Real>
-[[nodiscard]] inline int side_on_line(const World<Real, 1>& world, std::uint32_t i, std::uint32_t j, const Image<1>& image) {
+[[nodiscard]] inline int side_on_line(const World<Real, 1>& world, std::uint32_t i, std::uint32_t j,
+                                      const Image<1>& image) {
   const BallDetail<Real, 1>& a = world.details[i];
   const BallDetail<Real, 1>& b = world.details[j];
   const std::int64_t turns = image[0] + b.image[0] - a.image[0];
@@ -52,66 +53,77 @@ template <class Real>
   return b.rank > a.rank ? 1 : -1;
 }
 
-/// Flight time from the later stored time to the meeting of balls i and j (its image), or `never`.
+/// A meeting seen from the later of the two stored times.
+template <class Real>
+struct Meeting {
+  Real flight;              ///< [L], or `never`
+  const Time<Real>* since;  ///< the later stored time
+};
+
+/// When balls i and j (its image) meet next.
 template <Motion M>
-[[nodiscard]] inline typename M::Real flight_to_meeting(const M& motion, const World<typename M::Real, M::dimension>& world,
-                                                        std::uint32_t i, std::uint32_t j, const Image<M::dimension>& image,
-                                                        const Time<typename M::Real>** since) {
+[[nodiscard]] inline Meeting<typename M::Real> next_meeting(const M& motion,
+                                                            const World<typename M::Real, M::dimension>& world,
+                                                            std::uint32_t i, std::uint32_t j,
+                                                            const Image<M::dimension>& image) {
   using Real = typename M::Real;
   constexpr int D = M::dimension;
   const Ball<Real, D>& a = world.balls[i];
   const Ball<Real, D>& b = world.balls[j];
-  const auto [r, v, later] = relative_state(motion, world, a, b, image);
-  *since = later;
+  const auto [r, v, since] = relative_state(motion, world, a, b, image);
   const Real sigma = a.radius + b.radius;
+  const bool may_touch = a.in_contact && b.in_contact;
 
-  const bool free = !M::accelerated || a.fixed == b.fixed;  // no relative acceleration
-  if (free) {
-    const Real closing = dot<Real, D>(r, v);
-    if constexpr (D == 1) {
-      const Real s = Real(side_on_line(world, i, j, image));
-      if (!(s * v[0] < 0)) return never<Real>();
-      if (a.in_contact && b.in_contact) {
-        const Touch touch = touch_of_pair(world, i, j, image);
-        if (touch != Touch::none) return touch == Touch::live ? Real(0) : never<Real>();
-      }
-      return gap_time<Real>(s * r[0] - sigma, s * v[0]);
-    } else {
-      if (!(closing < 0) || sigma == 0) return never<Real>();  // two points never meet
-      if (a.in_contact && b.in_contact) {
-        const Touch touch = touch_of_pair(world, i, j, image);
-        if (touch != Touch::none) return touch == Touch::live ? Real(0) : never<Real>();
-      }
-      return meet_time<Real, D>(r, v, sigma);
+  if constexpr (D == 1) {
+    const Real s = Real(side_on_line(world, i, j, image));
+    const Real gap = s * r[0] - sigma, rate = s * v[0];
+    const Touch touch = may_touch ? touch_of_pair(world, i, j, image) : Touch::none;
+    if (M::accelerated && a.fixed != b.fixed) {
+      const Real half = s * (motion.acceleration(b.fixed)[0] - motion.acceleration(a.fixed)[0]) / 2;
+      if (touch == Touch::none) return {first_fall(gap, rate, half), since};
+      return {touch == Touch::live && rate < 0 ? Real(0) : next_fall(rate, half), since};
     }
+    if (touch != Touch::none) return {touch == Touch::live && rate < 0 ? Real(0) : never<Real>(), since};
+    if (world.law == LawKind::merge && gap < 0) return {Real(0), since};
+    return {gap_time<Real>(gap, rate), since};
+  } else {
+    if (M::accelerated && a.fixed != b.fixed) {
+      if (sigma == 0) return {never<Real>(), since};
+      const Vec<Real, D> acceleration = motion.acceleration(b.fixed) - motion.acceleration(a.fixed);
+      const Touch touch = may_touch ? touch_of_pair(world, i, j, image) : Touch::none;
+      if (touch == Touch::none) return {meet_time<Real, D>(r, v, acceleration, sigma), since};
+      if (touch == Touch::live && dot<Real, D>(r, v) < 0) return {Real(0), since};
+      return {next_meet_time<Real, D>(r, v, acceleration), since};
+    }
+    if (may_touch) {
+      const Touch touch = touch_of_pair(world, i, j, image);
+      if (touch != Touch::none) return {touch == Touch::live && dot<Real, D>(r, v) < 0 ? Real(0) : never<Real>(), since};
+    }
+    if (sigma == 0) return {never<Real>(), since};  // two points never meet
+    if (world.law == LawKind::merge && dot<Real, D>(r, r) < sigma * sigma) return {Real(0), since};
+    return {meet_time<Real, D>(r, v, sigma), since};
   }
-  return never<Real>();
 }
 
-/// The meeting of balls i and j as an event. `image` is that of j relative to i.
+/// Makes the meeting of balls i and j the event `first` if it comes before it. `image` is that of j relative to i.
 template <Motion M>
-[[nodiscard]] inline Event<typename M::Real, M::dimension> predict_meeting(const M& motion,
-    const World<typename M::Real, M::dimension>& world, std::uint32_t i, std::uint32_t j, const Image<M::dimension>& image) {
+inline void consider_meeting(const M& motion, const World<typename M::Real, M::dimension>& world, std::uint32_t i,
+                             std::uint32_t j, const Image<M::dimension>& image,
+                             Event<typename M::Real, M::dimension>& first) {
   using Real = typename M::Real;
+  const Meeting<Real> meeting = next_meeting(motion, world, i, j, image);
+  if (meeting.flight == never<Real>()) return;
   Event<Real, M::dimension> event;
-  const Time<Real>* since = nullptr;
-  const Real flight = flight_to_meeting(motion, world, i, j, image, &since);
-  if (flight == never<Real>()) return event;
-  event.time = after(*since, flight);
-  if (event.time.is_never()) return event;
+  event.time = after(*meeting.since, meeting.flight);
+  if (event.time.is_never() || event.time > first.time) return;
   event.kind = EventKind::ball_ball;
-  event.unresolved = flight > 0 && event.time == *since;
-  event.ball = i;
-  event.partner = j;
-  event.image = image;
-  if (j < i) {
-    event.ball = j;
-    event.partner = i;
-    event.image = -image;
-  }
+  event.unresolved = meeting.flight > 0 && event.time == *meeting.since;
+  event.ball = i < j ? i : j;
+  event.partner = i < j ? j : i;
+  event.image = i < j ? image : -image;
   event.stamp = world.balls[event.ball].stamp;
   event.partner_stamp = world.balls[event.partner].stamp;
-  return event;
+  if (precedes(event, first)) first = event;
 }
 
 }  // namespace carom

@@ -4,7 +4,7 @@
 #include "carom/motion/motion.hpp"
 #include "carom/predict/contact.hpp"
 #include "carom/predict/event.hpp"
-#include "carom/solve/polynomial.hpp"
+#include "carom/solve/accelerated.hpp"
 #include "carom/solve/quadratic.hpp"
 #include "carom/world/world.hpp"
 
@@ -19,7 +19,8 @@ template <class Real, int D, class Shape>
 /// Flight time to the moment at which gap + rate s + half_acceleration s^2 falls through 0, by the overlap rule; touching:
 /// gap is 0 by state.
 template <Motion M>
-[[nodiscard]] inline typename M::Real flight_to_plane(Touch touch, const typename M::Real& gap, const typename M::Real& rate,
+[[nodiscard]] inline typename M::Real flight_to_plane(Touch touch, const typename M::Real& gap,
+                                                      const typename M::Real& rate,
                                                       const typename M::Real& half_acceleration) {
   using Real = typename M::Real;
   if constexpr (M::accelerated) {
@@ -31,6 +32,28 @@ template <Motion M>
     if (touch != Touch::none) return touch == Touch::live ? Real(0) : never<Real>();
     return gap_time<Real>(gap, rate);
   }
+}
+
+/// Sign of (vertex - x) x v: on which side of a point's straight path a vertex lies.
+template <class Real>
+[[nodiscard]] inline int side_of_path(const Vec<Real, 2>& x, const Vec<Real, 2>& v, const Vec<Real, 2>& vertex) {
+  const Wide<Real> rx = wide_difference<Real>(vertex[0], x[0]), ry = wide_difference<Real>(vertex[1], x[1]);
+  const Real cross = narrow(Wide<Real>(rx * Wide<Real>(v[1]) - ry * Wide<Real>(v[0])));
+  return cross > 0 ? 1 : cross < 0 ? -1 : 0;
+}
+
+/// A point at x meets a vertex only if its path runs straight through it.
+template <class Real, int D>
+[[nodiscard]] inline Real flight_to_vertex(const Vec<Real, D>& x, const Vec<Real, D>& v, const Vec<Real, D>& vertex) {
+  const Vec<Real, D> r = x - vertex;
+  const Real b = dot<Real, D>(r, v);
+  if (!(b < 0)) return never<Real>();
+  if constexpr (D == 2) {
+    if (side_of_path<Real>(x, v, vertex) != 0) return never<Real>();
+  } else {
+    if (cross_squared<Real, D>(r, v) != 0) return never<Real>();
+  }
+  return -b / dot<Real, D>(v, v);
 }
 
 template <Motion M>
@@ -58,34 +81,124 @@ template <Motion M>
 }
 
 template <Motion M>
-[[nodiscard]] inline typename M::Real flight_to_wall(const M&, const World<typename M::Real, M::dimension>& world,
+[[nodiscard]] inline typename M::Real flight_to_wall(const M& motion, const World<typename M::Real, M::dimension>& world,
                                                      const Ball<typename M::Real, M::dimension>& ball,
                                                      const Sphere<typename M::Real, M::dimension>& sphere, Touch touch) {
   using Real = typename M::Real;
   constexpr int D = M::dimension;
-  const Vec<Real, D> r = ball.position - (sphere.centre + drift(world, sphere, ball.time));
+  const Vec<Real, D> x = ball.position - drift(world, sphere, ball.time);
+  const Vec<Real, D> r = x - sphere.centre;
   const Vec<Real, D> v = ball.velocity - sphere.velocity;
   const Real outward = dot<Real, D>(r, v);
+  if (touch == Touch::live && (sphere.inside ? outward > 0 : outward < 0)) return Real(0);
+  const Vec<Real, D> a = motion.acceleration(ball.fixed);
   if (sphere.inside) {
-    if (touch == Touch::live && outward > 0) return Real(0);
-    if (touch != Touch::none) return chord_time<Real, D>(r, v);
-    return leave_time<Real, D>(r, v, sphere.radius - ball.radius);
+    const Real rho = sphere.radius - ball.radius;
+    if constexpr (M::accelerated)
+      return touch == Touch::none ? leave_time<Real, D>(r, v, a, rho) : chord_time<Real, D>(r, v, a);
+    return touch == Touch::none ? leave_time<Real, D>(r, v, rho) : chord_time<Real, D>(r, v);
   }
-  if (!(outward < 0)) return never<Real>();
-  if (touch != Touch::none) return touch == Touch::live ? Real(0) : never<Real>();
-  return meet_time<Real, D>(r, v, sphere.radius + ball.radius);
+  const Real sigma = sphere.radius + ball.radius;
+  if (sigma == 0)
+    return M::accelerated || touch != Touch::none ? never<Real>() : flight_to_vertex<Real, D>(x, v, sphere.centre);
+  if constexpr (M::accelerated)
+    return touch == Touch::none ? meet_time<Real, D>(r, v, a, sigma) : next_meet_time<Real, D>(r, v, a);
+  return touch == Touch::none ? meet_time<Real, D>(r, v, sigma) : never<Real>();
+}
+
+/// Height over a line, its rate and half its acceleration, counted positive on one side of it.
+template <class Real>
+struct Approach {
+  Real height, rate, half;
+};
+
+/// First time at which a ball of the given radius comes down to the line from that side. A ball that is beyond the line is
+/// not overlapping it from here: it must first come over to this side.
+template <class Real>
+[[nodiscard]] inline Real descent(const Approach<Real>& a, const Real& radius, bool on_this_side) {
+  const Real gap = a.height - radius;
+  if (on_this_side || gap > 0) return first_fall(gap, a.rate, a.half);
+  if (!(a.rate > 0) || !(a.half < 0)) return never<Real>();  // never rises to fall again
+  return discriminant(Real(4 * a.half), a.rate, gap) > 0 ? first_fall(gap, a.rate, a.half) : never<Real>();
+}
+
+/// A flight time to a two-sided wall, and the side of approach.
+template <class Real>
+struct SidedFlight {
+  Real flight;
+  std::int8_t side;
+};
+
+/// A ball meets the open segment where it comes down to its line between the ends. The ends themselves are vertices:
+/// whether a point's straight path runs to the left or to the right of a vertex is one sign, the same for both segments
+/// that share it, so a point cannot slip through a joint.
+template <Motion M>
+[[nodiscard]] inline SidedFlight<typename M::Real> flight_to_segment(const M& motion,
+                                                                     const World<typename M::Real, 2>& world,
+                                                                     const Ball<typename M::Real, 2>& ball,
+                                                                     const Segment<typename M::Real>& segment,
+                                                                     const Contact<2>* contact) {
+  using Real = typename M::Real;
+  using std::abs;
+  const Touch touch = touch_of_wall(contact, ball);
+  const Vec<Real, 2> x = ball.position - drift(world, segment, ball.time);
+  const Vec<Real, 2> v = ball.velocity - segment.velocity;
+  const Vec<Real, 2> a = motion.acceleration(ball.fixed);
+  const Real height = segment.height(x), rate = dot<Real, 2>(segment.direction, v),
+             half = M::accelerated ? Real(dot<Real, 2>(segment.direction, a) / 2) : Real(0);
+  int home = height > 0 ? 1 : -1;  // on the line itself: the side that the velocity points to
+  if (height == 0) home = rate > 0 || (rate == 0 && half > 0) ? 1 : -1;
+  if (touch != Touch::none) home = contact->side;
+
+  const auto within = [&](const Real& t) {
+    const Vec<Real, 2> at = M::accelerated ? Vec<Real, 2>(x + (v + a * (t / 2)) * t) : Vec<Real, 2>(x + v * t);
+    const Real before = dot<Real, 2>(segment.along, at - segment.from),
+               beyond = dot<Real, 2>(segment.along, at - segment.to);
+    if (ball.radius > 0) return before >= 0 && beyond <= 0;  // beside the span the ends are met first
+    if constexpr (!M::accelerated) {
+      const int left = side_of_path(x, v, segment.from), right = side_of_path(x, v, segment.to);
+      return left * right < 0;
+    }
+    const Real doubt =
+        8 * unit_roundoff<Real>() *
+        (abs(at[0]) + abs(at[1]) + abs(segment.from[0]) + abs(segment.from[1]) + abs(segment.to[0]) + abs(segment.to[1]));
+    return before >= -doubt && beyond <= doubt;
+  };
+
+  SidedFlight<Real> first{never<Real>(), 0};
+  for (const int side : {home, -home}) {
+    const Approach<Real> approach{side * height, side * rate, side * half};
+    Real t = never<Real>();
+    if (touch != Touch::none && side == home) {
+      if (touch == Touch::live && approach.rate < 0) return {Real(0), static_cast<std::int8_t>(side)};
+      t = next_fall(approach.rate, approach.half);
+    } else {
+      t = descent(approach, ball.radius, side == home);
+    }
+    if (t != never<Real>() && t < first.flight && within(t)) first = {t, static_cast<std::int8_t>(side)};
+  }
+  return first;
 }
 
 /// The meeting of ball i with one piece of a wall as an event.
 template <Motion M, class Shape>
 [[nodiscard]] inline Event<typename M::Real, M::dimension> predict_wall(const M& motion,
-    const World<typename M::Real, M::dimension>& world, std::uint32_t i, const Shape& shape) {
+                                                                        const World<typename M::Real, M::dimension>& world,
+                                                                        std::uint32_t i, const Shape& shape) {
   using Real = typename M::Real;
-  const Ball<Real, M::dimension>& ball = world.balls[i];
-  Event<Real, M::dimension> event;
+  constexpr int D = M::dimension;
+  const Ball<Real, D>& ball = world.balls[i];
+  Event<Real, D> event;
   if (ball.fixed) return event;
-  const Touch touch = touch_of_wall(wall_contact(world, i, index(shape.wall), shape.feature), ball);
-  const Real flight = flight_to_wall(motion, world, ball, shape, touch);
+  const Contact<D>* contact = wall_contact(world, i, index(shape.wall), shape.feature);
+  Real flight;
+  if constexpr (std::is_same_v<Shape, Segment<Real>>) {
+    const SidedFlight<Real> sided = flight_to_segment(motion, world, ball, shape, contact);
+    flight = sided.flight;
+    event.side = sided.side;
+  } else {
+    flight = flight_to_wall(motion, world, ball, shape, touch_of_wall(contact, ball));
+  }
   if (flight == never<Real>()) return event;
   event.time = after(ball.time, flight);
   if (event.time.is_never()) return event;

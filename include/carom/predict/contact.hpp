@@ -27,7 +27,8 @@ template <class Real, int D>
 
 /// Two balls touch if each lists the other and their stored times are equal.
 template <class Real, int D>
-[[nodiscard]] inline Touch touch_of_pair(const World<Real, D>& world, std::uint32_t i, std::uint32_t j, const Image<D>& image) {
+[[nodiscard]] inline Touch touch_of_pair(const World<Real, D>& world, std::uint32_t i, std::uint32_t j,
+                                         const Image<D>& image) {
   const Ball<Real, D>& a = world.balls[i];
   const Ball<Real, D>& b = world.balls[j];
   if (!a.in_contact || !b.in_contact || a.time != b.time) return Touch::none;

@@ -21,9 +21,9 @@ struct Event {
   std::uint32_t partner_stamp = 0;  ///< of `partner` when predicted (ball_ball)
   std::int32_t feature = 0;         ///< of the wall
   EventKind kind = EventKind::none;
-  std::int8_t side = 0;             ///< of a two-sided wall: the side of approach
-  bool unresolved = false;          ///< a positive flight time that rounded to no tick of the clock
-  Image<D> image{};                 ///< of `partner` relative to `ball`, both as stored
+  std::int8_t side = 0;     ///< of a two-sided wall: the side of approach
+  bool unresolved = false;  ///< a positive flight time that rounded to no tick of the clock
+  Image<D> image{};         ///< of `partner` relative to `ball`, both as stored
 };
 
 /// Time; then scheduled < motion_change < ball_wall < ball_ball < bookkeeping; then ball, partner, feature, image.

@@ -39,7 +39,8 @@ class HeapQueue {
   struct Later {  // Boost.Heap keeps the largest on top
     bool operator()(const Entry& a, const Entry& b) const { return precedes(b.event, a.event); }
   };
-  using Heap = boost::heap::d_ary_heap<Entry, boost::heap::arity<4>, boost::heap::mutable_<true>, boost::heap::compare<Later>>;
+  using Heap =
+      boost::heap::d_ary_heap<Entry, boost::heap::arity<4>, boost::heap::mutable_<true>, boost::heap::compare<Later>>;
 
   Heap heap_;
   std::vector<typename Heap::handle_type> handles_;

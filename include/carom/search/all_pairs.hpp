@@ -6,7 +6,8 @@
 
 namespace carom {
 
-/// Open space and box. (A periodic space has infinitely many images of every partner: there cells are the search.)
+/// For open space and box. A periodic space has infinitely many images of every partner: there CellGrid with one cell does
+/// it.
 template <class Real, int D>
 class AllPairs {
  public:
@@ -15,13 +16,13 @@ class AllPairs {
   static constexpr const char* name = "all pairs";
 
   template <class M>
-  void reset(const WorldType&, const M&) {}
+  void reset(const WorldType&, const M&, const Time<Real>&) {}
   template <class M>
   void moved(const WorldType&, const M&, std::uint32_t) {}
+  void cross(const EventType&) {}
+  [[nodiscard]] bool fits(const WorldType&, std::uint32_t, const Real&) const { return true; }
   template <class M>
-  void cross(const WorldType&, const M&, const EventType&) {}
-  template <class M>
-  [[nodiscard]] EventType next_bookkeeping(const WorldType&, const M&, std::uint32_t) const {
+  [[nodiscard]] EventType next_bookkeeping(const WorldType&, const M&, std::uint32_t, const Time<Real>&) const {
     return {};
   }
   template <class F>
@@ -30,6 +31,8 @@ class AllPairs {
     for (std::uint32_t j = 0; j < n; ++j)
       if (j != i && world.balls[j].alive) f(j, Image<D>{});
   }
+  template <class F>
+  void for_each_new_partner(const WorldType&, const EventType&, F&&) const {}
 };
 
 }  // namespace carom

@@ -14,12 +14,10 @@ struct Face {
   WallId wall{};
   std::int32_t feature = 0;
   int axis = 0;
-  int sign = 1;                ///< +1: a lower face, balls above it; -1: an upper face
-  Real coordinate = Real(0);   ///< [length unit]
+  int sign = 1;               ///< +1: a lower face, balls above it; -1: an upper face
+  Real coordinate = Real(0);  ///< [length unit]
 
-  [[nodiscard]] Real gap(const Vec<Real, D>& x) const {
-    return sign > 0 ? x[axis] - coordinate : coordinate - x[axis];
-  }
+  [[nodiscard]] Real gap(const Vec<Real, D>& x) const { return sign > 0 ? x[axis] - coordinate : coordinate - x[axis]; }
   [[nodiscard]] Vec<Real, D> normal(const Vec<Real, D>&) const {
     Vec<Real, D> n = Vec<Real, D>::Zero();
     n[axis] = Real(sign);

@@ -16,19 +16,19 @@ struct Audit {
   double deepest = 0.0;           ///< the deepest overlap found, rounding included
   double deepest_relative = 0.0;  ///< of it, over the sum of the radii (points: over the distance)
   std::uint32_t ball = 0;
-  std::uint32_t partner = 0;      ///< ball or wall number
+  std::uint32_t partner = 0;  ///< ball or wall number
   bool with_wall = false;
 };
 
-/// How deep rounding alone can make two parties overlap: each position carries up to 2 ulp of its largest coordinate from the
-/// advance to contact and up to 2 more from the advance to the audit, and the contact time a rounding of the flight.
+/// How deep rounding alone can make two parties overlap: each position carries up to 2 ulp of its largest coordinate from
+/// the advance to contact and up to 2 more from the advance to the audit, and the contact time a rounding of the flight.
 inline constexpr double audit_ulp = 32.0;
 
 enum class AuditBy : std::uint8_t { every_pair, grid };
 
 template <Motion M>
-[[nodiscard]] Audit audit(const M& motion, const World<typename M::Real, M::dimension>& world, const Time<typename M::Real>& t,
-                          AuditBy by = AuditBy::grid) {
+[[nodiscard]] Audit audit(const M& motion, const World<typename M::Real, M::dimension>& world,
+                          const Time<typename M::Real>& t, AuditBy by = AuditBy::grid) {
   using Real = typename M::Real;
   using std::abs;
   using std::sqrt;

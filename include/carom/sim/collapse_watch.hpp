@@ -1,7 +1,9 @@
 #pragma once
 // Recognises infinitely many impacts in finite time: an accumulation of dissipating impacts, or a contact that never ends.
 
+#include <array>
 #include <cstdint>
+#include <initializer_list>
 #include <vector>
 
 #include "carom/core/clock.hpp"
@@ -9,10 +11,10 @@
 namespace carom {
 
 /// Follows each ball's unbroken streak of dissipating impacts (restitution below 1). Over blocks of `block` impacts the
-/// durations d of an accumulation fall geometrically, so the rest of the streak takes d q / (1 - q), q = d / (duration of the
-/// block before). The streak is a collapse when that rest is no tick of the clock. A streak that takes no time at all is a
-/// persistent contact after `instant_limit` impacts: relative speeds, which shrink by a factor at each, have then left the
-/// range of rounding long ago. Elastic impacts break a streak, so no elastic sequence is ever a collapse.
+/// durations d of an accumulation fall geometrically, so the rest of the streak takes d q / (1 - q), q = d / (duration of
+/// the block before). The streak is a collapse when that rest is no tick of the clock. A streak that takes no time at all
+/// is a persistent contact after `instant_limit` impacts: relative speeds, which shrink by a factor at each, have then left
+/// the range of rounding long ago. Elastic impacts break a streak, so no elastic sequence is ever a collapse.
 template <class Real>
 class CollapseWatch {
  public:
@@ -26,9 +28,19 @@ class CollapseWatch {
     if (watching()) streaks_[ball] = Streak{};
   }
 
-  /// Counts a dissipating impact of `ball` at `now`; true if it belongs to a collapse.
-  [[nodiscard]] bool collapses(std::uint32_t ball, const Time<Real>& now) {
+  /// The balls that `ball` hit last in its streak.
+  [[nodiscard]] std::vector<std::uint32_t> partners(std::uint32_t ball) const {
+    std::vector<std::uint32_t> recent;
+    for (const std::uint32_t p : streaks_[ball].recent)
+      if (p != none) recent.push_back(p);
+    return recent;
+  }
+
+  /// Counts a dissipating impact of `ball` at `now`; true if it belongs to a collapse. `balls` are those that took part.
+  [[nodiscard]] bool collapses(std::uint32_t ball, const Time<Real>& now, std::initializer_list<std::uint32_t> balls) {
     Streak& s = streaks_[ball];
+    for (const std::uint32_t p : balls)
+      if (p != ball) s.recent[s.count % s.recent.size()] = p;
     s.instant = s.count > 0 && now == s.last ? s.instant + 1 : 0;
     s.last = now;
     if (s.count == 0) s.block_start = now;
@@ -45,7 +57,10 @@ class CollapseWatch {
   }
 
  private:
+  static constexpr std::uint32_t none = ~std::uint32_t{0};
+
   struct Streak {
+    std::array<std::uint32_t, 4> recent{none, none, none, none};
     std::uint32_t count = 0;
     std::uint32_t instant = 0;
     Time<Real> last, block_start;

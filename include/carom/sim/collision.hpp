@@ -1,8 +1,9 @@
 #pragma once
 // One collision: bring the parties to the moment of contact, resolve the impact, write what has changed, keep the books.
 
-#include <cmath>
 #include <algorithm>
+#include <cmath>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,7 +13,9 @@
 #include "carom/predict/event.hpp"
 #include "carom/sim/books.hpp"
 #include "carom/sim/collapse_watch.hpp"
+#include "carom/sim/join.hpp"
 #include "carom/sim/record.hpp"
+#include "carom/sim/totals.hpp"
 #include "carom/world/state.hpp"
 
 namespace carom {
@@ -31,8 +34,8 @@ class Collider {
   Exactness<Real> exactness;
   EnergyBooks<Real> books;
   CollapseWatch<Real> watch;
-  std::string reason;                        ///< of a verdict other than go_on
-  std::vector<std::uint32_t> reason_balls;   ///< whom it concerns
+  std::string reason;                       ///< of a verdict other than go_on
+  std::vector<std::uint32_t> reason_balls;  ///< whom it concerns
 
   void reset(const WorldType& world) {
     if (world.restitution.any_below_one()) watch.reset(world.balls.size());
@@ -45,7 +48,8 @@ class Collider {
   Verdict collide(WorldType& world, const M& motion, const Event<Real, D>& event, Sink&& sink) {
     moved_.clear();
     exactness.unresolved += event.unresolved;
-    return event.kind == EventKind::ball_ball ? ball_ball(world, motion, event, sink) : ball_wall(world, motion, event, sink);
+    return event.kind == EventKind::ball_ball ? ball_ball(world, motion, event, sink)
+                                              : ball_wall(world, motion, event, sink);
   }
 
  private:
@@ -55,47 +59,43 @@ class Collider {
   Verdict ball_ball(WorldType& world, const M& motion, const Event<Real, D>& event, Sink&& sink) {
     const std::uint32_t i = event.ball, j = event.partner;
     const Time<Real>& now = event.time;
-    const BallDetail<Real, D>&a = world.details[i], &b = world.details[j];
-    if (detail::infinite(a.mass) && detail::infinite(b.mass))
-      return stop(Verdict::collapse, "two balls of infinite mass meet, and no law says what follows", {i, j});
-
+    BallDetail<Real, D>&a = world.details[i], &b = world.details[j];
     Impact<Real, D> impact;
     impact.va = velocity_at(motion, world, i, now);
     impact.vb = velocity_at(motion, world, j, now);
-    impact.ma = a.mass;
-    impact.mb = b.mass;
+    impact.ma = world.body_mass(i);
+    impact.mb = world.body_mass(j);
     impact.e = world.restitution.between(a.material, b.material);
+    if (detail::infinite(impact.ma) && detail::infinite(impact.mb))
+      return stop(Verdict::collapse, "two infinite masses meet, and no law says what follows", {i, j});
+
     const Vector xa = position_at(motion, world, i, now), xb = position_at(motion, world, j, now);
     for (int k = 0; k < D; ++k) {
       impact.r[k] = wide_difference<Real>(xb[k], xa[k]);
       if (world.space.periodic()) impact.r[k] = impact.r[k] + wide_product<Real>(Real(event.image[k]), world.space.edge[k]);
     }
-    const Real gap = note_gap(impact.r, world.balls[i].radius + world.balls[j].radius,
-                              world.balls[i].radius + world.balls[j].radius);
+    const Real sigma = world.balls[i].radius + world.balls[j].radius;
+    const Real gap = world.law == LawKind::merge ? Real(0) : note_gap(impact.r, sigma, sigma);
     if constexpr (D == 1) impact.r[0] = W(Real(side_on_line(world, i, j, event.image)));
 
-    const Outcome<Real, D> outcome = resolve_impact(impact);
     const bool tie = is_tie(a, now, Party::ball, j, 0) || is_tie(b, now, Party::ball, i, 0);
     const Time<Real> before_a = a.last_hit, before_b = b.last_hit;
-    const auto turns_a = write_state(world, i, xa, outcome.va, now);
-    const auto turns_b = write_state(world, j, xb, outcome.vb, now);
-    moved_.push_back(i);
-    moved_.push_back(j);
-
-    Contact<D> contact{Party::ball, j, 0, Image<D>{}, 0, true, world.balls[i].stamp, world.balls[j].stamp};
-    for (int k = 0; k < D; ++k)
-      contact.image[k] = static_cast<std::int32_t>(event.image[k] + turns_b[k] - turns_a[k]);
-    hold_contact(world, i, contact);
-    contact.partner = i;
-    std::swap(contact.own_stamp, contact.partner_stamp);
-    contact.image = -contact.image;
-    hold_contact(world, j, contact);
+    Outcome<Real, D> outcome;
+    if (world.law == LawKind::restitution) {
+      outcome = resolve_impact(impact);
+      const Turns<D> image_a = a.image, image_b = b.image;
+      write_motion(world, motion, i, xa, outcome.va, now, moved_);
+      write_motion(world, motion, j, xb, outcome.vb, now, moved_);
+      hold_pair(world, i, j, event.image, image_a, image_b);
+    } else {
+      outcome = unite(world, motion, event, impact, xa, xb);
+    }
 
     ++counts.ball_ball;
     counts.ties += tie;
     book(outcome);
-    remember(world.details[i], now, Party::ball, j, 0);
-    remember(world.details[j], now, Party::ball, i, 0);
+    remember(a, now, Party::ball, j, 0);
+    remember(b, now, Party::ball, i, 0);
     if constexpr (std::remove_cvref_t<Sink>::wants_records) {
       Record<Real, D> record = record_of(event, impact, outcome, gap, tie);
       fill_party(record.ball, world, i, before_a);
@@ -107,51 +107,49 @@ class Collider {
     }
     if (!finite(outcome.va) || !finite(outcome.vb))
       return stop(Verdict::non_finite, "a velocity is no longer a finite number", {i, j});
-    if (impact.e < 1 && watch.watching()) {
-      const bool one = watch.collapses(i, now), other = watch.collapses(j, now);
-      if (one || other) return stop(Verdict::collapse, collapse_reason(), cluster(world, i, j));
-    } else {
-      watch.end_streak(i);
-      watch.end_streak(j);
-    }
-    return Verdict::go_on;
+    if (world.law == LawKind::merge) return check_fit(world, i, now);
+    if (world.law == LawKind::stick) return Verdict::go_on;
+    if (outcome.impulse == 0 && before_a == now && before_b == now && !tie)
+      return stop(Verdict::collapse, "a ball rests against another, in contact for ever", {i, j});
+    return watch_streak(impact.e, now, {i, j});
   }
 
   template <class Sink>
   Verdict ball_wall(WorldType& world, const M& motion, const Event<Real, D>& event, Sink&& sink) {
     const std::uint32_t i = event.ball;
     const Time<Real>& now = event.time;
-    const BallDetail<Real, D>& a = world.details[i];
-    if (detail::infinite(a.mass))
-      return stop(Verdict::collapse, "a ball of infinite mass meets a wall, and no law says what follows", {i});
-
+    BallDetail<Real, D>& a = world.details[i];
     Impact<Real, D> impact;
     impact.va = velocity_at(motion, world, i, now);
-    impact.ma = a.mass;
+    impact.ma = world.body_mass(i);
     impact.mb = std::numeric_limits<Real>::infinity();
     impact.e = world.restitution.at_wall(a.material, event.partner);
+    if (detail::infinite(impact.ma))
+      return stop(Verdict::collapse, "a ball of infinite mass meets a wall, and no law says what follows", {i});
+
     const Vector x = position_at(motion, world, i, now);
     Real gap(0);
     world.walls.with(event.partner, event.feature, [&](const auto& shape) {
       impact.vb = wall_velocity(shape);
       const Vector at = x - wall_drift(world, shape, now);
-      const Vector n = outward_normal(shape, at, Vector(impact.va - impact.vb), world.balls[i].radius);
+      const Vector n = towards_ball(shape, at, Vector(impact.va - impact.vb), world.balls[i].radius, event.side);
       for (int k = 0; k < D; ++k) impact.r[k] = W(Real(-n[k]));
-      gap = note_wall_gap(Real(shape.gap(at)) - world.balls[i].radius, world.balls[i].radius);
+      gap = note_wall_gap(Real(shape.gap(at) - world.balls[i].radius), world.balls[i].radius);
     });
 
     const Outcome<Real, D> outcome = resolve_impact(impact);
     const bool tie = is_tie(a, now, Party::wall, event.partner, event.feature);
     const Time<Real> before = a.last_hit;
-    write_state(world, i, x, outcome.va, now);
-    moved_.push_back(i);
+    const Ball<Real, D> flown = world.balls[i];
+    write_motion(world, motion, i, x, outcome.va, now, moved_);
     hold_contact(world, i,
                  Contact<D>{Party::wall, event.partner, event.feature, {}, event.side, true, world.balls[i].stamp, 0});
+    keep_sides(world, i, flown);
 
     ++counts.ball_wall;
     counts.ties += tie;
     book(outcome);
-    remember(world.details[i], now, Party::wall, event.partner, event.feature);
+    remember(a, now, Party::wall, event.partner, event.feature);
     if constexpr (std::remove_cvref_t<Sink>::wants_records) {
       Record<Real, D> record = record_of(event, impact, outcome, gap, tie);
       fill_party(record.ball, world, i, before);
@@ -161,12 +159,97 @@ class Collider {
       sink(record);
     }
     if (!finite(outcome.va)) return stop(Verdict::non_finite, "a velocity is no longer a finite number", {i});
-    if (impact.e < 1 && watch.watching()) {
-      if (watch.collapses(i, now)) return stop(Verdict::collapse, collapse_reason(), {i});
+    if (outcome.impulse == 0 && before == now && !tie)
+      return stop(Verdict::collapse, "a ball is pressed against a wall, in contact for ever", {i});
+    return watch_streak(impact.e, now, {i});
+  }
+
+  /// Both balls list the contact, with images relative to where they were stored just now.
+  void hold_pair(WorldType& world, std::uint32_t i, std::uint32_t j, const Image<D>& image, const Turns<D>& image_a,
+                 const Turns<D>& image_b) {
+    Contact<D> contact{Party::ball, j, 0, image, 0, true, world.balls[i].stamp, world.balls[j].stamp};
+    for (int k = 0; k < D; ++k)
+      contact.image[k] +=
+          static_cast<std::int32_t>((world.details[j].image[k] - image_b[k]) - (world.details[i].image[k] - image_a[k]));
+    hold_contact(world, i, contact);
+    contact.partner = i;
+    std::swap(contact.own_stamp, contact.partner_stamp);
+    contact.image = -contact.image;
+    hold_contact(world, j, contact);
+  }
+
+  /// Laws stick and merge: the bodies of both balls go on together.
+  Outcome<Real, D> unite(WorldType& world, const M& motion, const Event<Real, D>& event, const Impact<Real, D>& impact,
+                         const Vector& xa, const Vector& xb) {
+    const std::uint32_t i = event.ball, j = event.partner;
+    const Common<Real, D> common = common_velocity(impact.ma, impact.va, impact.mb, impact.vb);
+    Outcome<Real, D> outcome{common.velocity, common.velocity, common.impulse, common.dissipated, common.injected};
+    Vector beside = xb;
+    if (world.space.periodic())
+      for (int k = 0; k < D; ++k) beside[k] += Real(event.image[k]) * world.space.edge[k];
+    if (world.law == LawKind::stick) {
+      join_bodies(world, motion, i, xa, j, beside, common.velocity, event.time, moved_);
     } else {
-      watch.end_streak(i);
+      if (detail::infinite(impact.ma)) absorb(world, outcome, impact.mb, j, impact.vb, xb);
+      if (detail::infinite(impact.mb)) absorb(world, outcome, impact.ma, i, impact.va, xa);
+      merge_balls(world, motion, i, xa, j, beside, common.velocity, event.time, moved_);
     }
-    return Verdict::go_on;
+    return outcome;
+  }
+
+  /// A finite mass m that an infinite one absorbs leaves all sums, with its whole energy.
+  void absorb(const WorldType& world, Outcome<Real, D>& outcome, const Real& m, std::uint32_t i, const Vector& v,
+              const Vector& x) const {
+    const auto far = unwrapped(world, i, x);
+    W energy(Real(0));
+    for (int k = 0; k < D; ++k)
+      energy = energy + wide_product<Real>(v[k], v[k]) * W(Real(1) / 2) - far[k] * W(world.acceleration[k]);
+    outcome.dissipated = W(m) * energy;
+    outcome.injected = W(Real(0));
+  }
+
+  /// A merged ball must still have room.
+  Verdict check_fit(const WorldType& world, std::uint32_t i, const Time<Real>& now) {
+    bool fits = true;
+    world.walls.for_each([&](const auto& shape) {
+      const Vector at = world.balls[i].position - wall_drift(world, shape, now);
+      if (shape.gap(at) < world.balls[i].radius && !world.balls[i].fixed) fits = false;
+    });
+    return fits ? Verdict::go_on
+                : stop(Verdict::collapse, "a merged ball grows into a wall, and no law says what follows", {i});
+  }
+
+  Verdict watch_streak(const Real& e, const Time<Real>& now, std::initializer_list<std::uint32_t> balls) {
+    if (!watch.watching()) return Verdict::go_on;
+    bool collapse = false;
+    for (const std::uint32_t i : balls) {
+      if (e < 1) {
+        collapse = watch.collapses(i, now, balls) || collapse;
+      } else {
+        watch.end_streak(i);
+      }
+    }
+    return collapse ? stop(Verdict::collapse, collapse_reason(), cluster(balls)) : Verdict::go_on;
+  }
+
+  /// A point stored next to a segment that it did not hit may have been rounded across it. It holds the side that it flew
+  /// on: it touches that segment, and hits it if it closes.
+  void keep_sides(WorldType& world, std::uint32_t i, const Ball<Real, D>& flown) {
+    if constexpr (D == 2) {
+      if (flown.radius > 0) return;
+      const Ball<Real, D>& ball = world.balls[i];
+      for (const Segment<Real>& s : world.walls.segments) {
+        const Contact<D>* held = wall_contact(world, i, index(s.wall), s.feature);
+        if (held != nullptr) continue;
+        const Real before = s.height(Vector(flown.position - drift(world, s, flown.time)));
+        const Vector at = ball.position - drift(world, s, ball.time);
+        const Real height = s.height(at);
+        if (before == 0 || height * before > 0) continue;
+        if (dot<Real, D>(s.along, at - s.from) < 0 || dot<Real, D>(s.along, at - s.to) > 0) continue;
+        hold_contact(world, i,
+                     Contact<D>{Party::wall, index(s.wall), s.feature, {}, std::int8_t(before > 0 ? 1 : -1), false, 0, 0});
+      }
+    }
   }
 
   // A wall as the infinite mass of an impact.
@@ -181,19 +264,25 @@ class Collider {
     return drift(world, shape, now);
   }
 
+  /// Direction of the impulse that the wall gives, of any length.
   template <class Shape>
-  Vector outward_normal(const Shape& shape, const Vector& at, const Vector&, const Real&) {
+  Vector towards_ball(const Shape& shape, const Vector& at, const Vector&, const Real&, std::int8_t) {
     return shape.normal(at);
   }
+  Vector towards_ball(const Segment<Real>& segment, const Vector& at, const Vector&, const Real&,
+                      std::int8_t side) requires(D == 2) {
+    return side * segment.normal(at);
+  }
   /// A point that meets a vertex has no normal: its velocity is reversed.
-  Vector outward_normal(const Sphere<Real, D>& sphere, const Vector& at, const Vector& approach, const Real& radius) {
+  Vector towards_ball(const Sphere<Real, D>& sphere, const Vector& at, const Vector& approach, const Real& radius,
+                      std::int8_t) {
     if (sphere.radius > 0 || radius > 0) return sphere.normal(at);
     ++exactness.singular;
     return -approach;
   }
 
-  [[nodiscard]] static bool is_tie(const BallDetail<Real, D>& ball, const Time<Real>& now, Party party, std::uint32_t partner,
-                                   std::int32_t feature) {
+  [[nodiscard]] static bool is_tie(const BallDetail<Real, D>& ball, const Time<Real>& now, Party party,
+                                   std::uint32_t partner, std::int32_t feature) {
     return ball.last_hit == now &&
            !(ball.last_party == party && ball.last_partner == partner && ball.last_feature == feature);
   }
@@ -269,15 +358,14 @@ class Collider {
   [[nodiscard]] static std::string collapse_reason() {
     return "infinitely many dissipating impacts in finite time (inelastic collapse or a persistent contact)";
   }
-  /// The pair and whoever it touches.
-  [[nodiscard]] static std::vector<std::uint32_t> cluster(const WorldType& world, std::uint32_t i, std::uint32_t j) {
-    std::vector<std::uint32_t> balls{i, j};
-    for (const std::uint32_t k : {i, j})
-      for (const Contact<D>& c : world.details[k].contacts)
-        if (c.party == Party::ball && std::find(balls.begin(), balls.end(), c.partner) == balls.end())
-          balls.push_back(c.partner);
-    std::sort(balls.begin(), balls.end());
-    return balls;
+  /// The balls and those that they hit last.
+  [[nodiscard]] std::vector<std::uint32_t> cluster(std::initializer_list<std::uint32_t> balls) const {
+    std::vector<std::uint32_t> all(balls);
+    for (const std::uint32_t i : balls)
+      for (const std::uint32_t p : watch.partners(i))
+        if (std::find(all.begin(), all.end(), p) == all.end()) all.push_back(p);
+    std::sort(all.begin(), all.end());
+    return all;
   }
   Verdict stop(Verdict verdict, std::string why, std::vector<std::uint32_t> balls) {
     reason = std::move(why);

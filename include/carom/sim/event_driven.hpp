@@ -1,12 +1,14 @@
 #pragma once
 // The event-driven integrator: predict, take the first, advance its parties alone, resolve, predict anew.
 //
-// The algorithm is that of Alder and Wainwright [AlderWainwright1959] with a state, a clock and one live event for each ball
-// [Lubachevsky1991]: a ball that takes part in no event is not touched.
+// The algorithm is that of Alder and Wainwright [AlderWainwright1959] with a state, a clock and one live event for each
+// ball [Lubachevsky1991]: a ball that takes part in no event is not touched.
 
 #include <atomic>
 #include <cstdint>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "carom/predict/ball_ball.hpp"
 #include "carom/predict/ball_wall.hpp"
@@ -21,7 +23,7 @@
 namespace carom {
 
 template <Motion M, class Search, class Queue>
-  requires NeighbourSearch<Search, M> && EventQueue<Queue>
+requires NeighbourSearch<Search, M> && EventQueue<Queue>
 class EventDriven {
  public:
   using Real = typename M::Real;
@@ -29,7 +31,8 @@ class EventDriven {
   using WorldType = World<Real, D>;
   using EventType = Event<Real, D>;
 
-  EventDriven(WorldType& world, const M& motion) : world_(world), motion_(motion), now_(world.start) {
+  EventDriven(WorldType& world, const M& motion, Search search = Search())
+      : world_(world), motion_(motion), now_(world.start), search_(std::move(search)) {
     collider_.reset(world_);
     predict_all();
   }
@@ -37,7 +40,8 @@ class EventDriven {
   /// Carries out events until the next one lies after `until`, `collisions` have happened, or nothing more will. `sink` is
   /// given a record of each collision, if it wants them.
   template <class Sink>
-  Stop advance(const Time<Real>& until, std::int64_t collisions, Sink&& sink, const std::atomic<bool>* interrupt = nullptr) {
+  Stop advance(const Time<Real>& until, std::int64_t collisions, Sink&& sink,
+               const std::atomic<bool>* interrupt = nullptr) {
     const std::int64_t goal = collisions < std::numeric_limits<std::int64_t>::max() - counts().collisions()
                                   ? counts().collisions() + collisions
                                   : std::numeric_limits<std::int64_t>::max();
@@ -48,8 +52,7 @@ class EventDriven {
       if (event.kind == EventKind::none) return Stop::no_events_left;
       if (event.time > until) return Stop::until;
       if (event.kind == EventKind::bookkeeping) {
-        search_.cross(world_, motion_, event);
-        predict(event.ball);
+        cross(event);
       } else if (stale(event)) {
         ++collider_.exactness.repredicted;
         predict(queue_.top_slot());
@@ -57,8 +60,7 @@ class EventDriven {
         if (event.time < now_) ++collider_.exactness.clamped;
         now_ = event.time;
         const Verdict verdict = collider_.collide(world_, motion_, event, sink);
-        for (const std::uint32_t i : collider_.moved()) search_.moved(world_, motion_, i);
-        for (const std::uint32_t i : collider_.moved()) predict(i);
+        predict_moved();
         if (verdict == Verdict::collapse) return Stop::collapse;
         if (verdict == Verdict::non_finite) return Stop::non_finite;
       }
@@ -77,24 +79,47 @@ class EventDriven {
   void predict_all() {
     const std::uint32_t n = static_cast<std::uint32_t>(world_.balls.size());
     queue_.reset(n);
-    search_.reset(world_, motion_);
+    next_.assign(n, EventType{});
+    search_.reset(world_, motion_, now_);
     for (std::uint32_t i = 0; i < n; ++i) predict(i);
   }
 
-  /// The first of all that may happen to ball i becomes its event.
+  void predict_moved() {
+    for (const std::uint32_t i : collider_.moved()) search_.moved(world_, motion_, i);
+    for (const std::uint32_t i : collider_.moved())
+      if (!search_.fits(world_, i, Real(2 * world_.balls[i].radius))) return predict_all();
+    for (const std::uint32_t i : collider_.moved()) predict(i);
+  }
+
+  /// The first of all collisions that ball i may have before its next bookkeeping, and of that, becomes its event.
   void predict(std::uint32_t i) {
-    EventType first;
+    EventType& first = next_[i];
+    first = EventType{};
     if (world_.balls[i].alive) {
-      const auto consider = [&first](const EventType& e) {
+      world_.walls.for_each([&](const auto& shape) {
+        const EventType e = predict_wall(motion_, world_, i, shape);
         if (e.kind != EventKind::none && precedes(e, first)) first = e;
-      };
-      world_.walls.for_each([&](const auto& shape) { consider(predict_wall(motion_, world_, i, shape)); });
-      search_.for_each_partner(world_, i, [&](std::uint32_t j, const Image<D>& image) {
-        consider(predict_meeting(motion_, world_, i, j, image));
       });
-      consider(search_.next_bookkeeping(world_, motion_, i));
+      search_.for_each_partner(world_, i, [&](std::uint32_t j, const Image<D>& image) {
+        consider_meeting(motion_, world_, i, j, image, first);
+      });
     }
-    queue_.assign(i, first);
+    enqueue(i);
+  }
+
+  /// Ball e.ball passes into another cell: only the partners that this brings within reach are new.
+  void cross(const EventType& e) {
+    search_.cross(e);
+    search_.for_each_new_partner(world_, e, [&](std::uint32_t j, const Image<D>& image) {
+      consider_meeting(motion_, world_, e.ball, j, image, next_[e.ball]);
+    });
+    crossed_ = e.time;
+    enqueue(e.ball);
+  }
+
+  void enqueue(std::uint32_t i) {
+    const EventType passage = search_.next_bookkeeping(world_, motion_, i, crossed_ > now_ ? crossed_ : now_);
+    queue_.assign(i, passage.kind != EventKind::none && precedes(passage, next_[i]) ? passage : next_[i]);
   }
 
   /// The motion of a party has changed since the prediction.
@@ -105,10 +130,12 @@ class EventDriven {
 
   WorldType& world_;
   M motion_;
-  Time<Real> now_;
+  Time<Real> now_;             // of the last collision
+  Time<Real> crossed_ = now_;  // of the last bookkeeping
   Collider<M> collider_;
   Search search_;
   Queue queue_;
+  std::vector<EventType> next_;  // by ball: its first collision, stale or not: never later than the true one
 };
 
 }  // namespace carom

@@ -24,17 +24,17 @@ struct RecordParty {
 template <class Real, int D>
 struct Record {
   Time<Real> time;
-  EventKind kind = EventKind::none;    ///< ball_ball or ball_wall
-  RecordParty<Real, D> ball, partner;  ///< ball_ball: ball has the smaller number
-  std::int32_t feature = 0;            ///< of the wall
+  EventKind kind = EventKind::none;            ///< ball_ball or ball_wall
+  RecordParty<Real, D> ball, partner;          ///< ball_ball: ball has the smaller number
+  std::int32_t feature = 0;                    ///< of the wall
   Vec<Real, D> normal = Vec<Real, D>::Zero();  ///< unit, from the partner towards the ball
   Vec<Real, D> point = Vec<Real, D>::Zero();   ///< of contact, on the ball's surface
-  Real impulse = Real(0);              ///< size
-  Real gap = Real(0);                  ///< distance left between the surfaces: an error of rounding
+  Real impulse = Real(0);                      ///< size
+  Real gap = Real(0);                          ///< distance left between the surfaces: an error of rounding
   Real restitution = Real(1);
   Real dissipated = Real(0);
   Real injected = Real(0);
-  bool tie = false;                    ///< a party's previous collision was at the same moment with another partner
+  bool tie = false;  ///< a party's previous collision was at the same moment with another partner
 };
 
 /// A sink that wants nothing: no record is made.

@@ -25,9 +25,9 @@ struct Collision {
     std::array<std::int64_t, 3> image{};
     std::array<double, 3> velocity_before{}, velocity_after{};
   };
-  double time = 0.0;         ///< [time] rounded; epoch and offset hold all of it
+  double time = 0.0;  ///< [time] rounded; epoch and offset hold all of it
   std::int64_t epoch = 0;
-  double offset = 0.0;       ///< [time] since the epoch began
+  double offset = 0.0;  ///< [time] since the epoch began
   EventKind kind = EventKind::none;
   Party ball, partner;
   std::int32_t feature = 0;  ///< of the wall
@@ -62,11 +62,15 @@ class Simulation {
   Stop advance(const std::optional<Number>& until, std::optional<std::int64_t> events = std::nullopt,
                const CollisionSink& sink = {}, const std::atomic<bool>* interrupt = nullptr);
 
-  [[nodiscard]] double time() const;         ///< [time] that the run has reached
-  [[nodiscard]] Summary summary() const;     ///< at time()
+  /// Takes time() back to the last event, or to the start: where a run that has no events left ends.
+  void return_to_last_event();
+
+  [[nodiscard]] double time() const;      ///< [time] that the run has reached
+  [[nodiscard]] Summary summary() const;  ///< at time()
   [[nodiscard]] const EventCounts& counts() const;
   [[nodiscard]] BallState ball(std::uint32_t number) const;  ///< at time()
   [[nodiscard]] std::vector<BallState> balls() const;        ///< those that are left, at time()
+  [[nodiscard]] std::uint32_t wall_count() const;            ///< [[wall]]s, then the faces of the box
   [[nodiscard]] std::string wall_label(std::uint32_t wall) const;
   [[nodiscard]] int dimension() const;
   [[nodiscard]] double epoch_length() const;

@@ -26,12 +26,12 @@ struct Totals {
 
 /// Position counted through all periods, in wide arithmetic.
 template <class Real, int D>
-[[nodiscard]] inline std::array<Wide<Real>, D> unwrapped(const World<Real, D>& world, std::uint32_t i, const Vec<Real, D>& x) {
+[[nodiscard]] inline std::array<Wide<Real>, D> unwrapped(const World<Real, D>& world, std::uint32_t i,
+                                                         const Vec<Real, D>& x) {
   std::array<Wide<Real>, D> u;
   for (int k = 0; k < D; ++k) {
     u[k] = Wide<Real>(x[k]);
-    if (world.space.periodic())
-      u[k] = u[k] + wide_product<Real>(Real(world.details[i].image[k]), world.space.edge[k]);
+    if (world.space.periodic()) u[k] = u[k] + wide_product<Real>(Real(world.details[i].image[k]), world.space.edge[k]);
   }
   return u;
 }

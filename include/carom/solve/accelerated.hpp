@@ -6,8 +6,8 @@
 
 namespace carom {
 
-/// |r + v t + a t^2 / 2|^2 - sigma^2 by powers of t [papers/contact_times.md, eq. 17]. For double each coefficient is off by at
-/// most 32 u^2 of the sum of the sizes of its terms.
+/// |r + v t + a t^2 / 2|^2 - sigma^2 by powers of t [papers/contact_times.md, eq. 17]. For double each coefficient is off
+/// by at most 32 u^2 of the sum of the sizes of its terms.
 template <Real T, int D>
 [[nodiscard]] inline std::array<Wide<T>, 5> pair_polynomial(const Vec<T, D>& r, const Vec<T, D>& v, const Vec<T, D>& a,
                                                             const T& sigma) {

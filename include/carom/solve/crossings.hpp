@@ -1,8 +1,8 @@
 #pragma once
 // The positive times at which a polynomial of degree <= 4 changes its sign, without transcendental functions.
 //
-// Between two sign changes of its derivative a polynomial is monotone, so it has a root there if and only if its signs at both
-// ends differ [papers/contact_times.md, eq. 13]. The derivative's sign changes come the same way, down to a quadratic.
+// Between two sign changes of its derivative a polynomial is monotone, so it has a root there if and only if its signs at
+// both ends differ [papers/contact_times.md, eq. 13]. The derivative's sign changes come the same way, down to a quadratic.
 // A root where the sign does not change (a double root) is none.
 
 #include <algorithm>
@@ -51,7 +51,7 @@ template <Real T>
   return q;
 }
 
-/// Powers of two between which the size of every root that is not 0 lies [Knuth1997, exercise 4.6.2-20; eq. 14].
+/// Powers of two between which the size of every root that is not 0 lies [papers/contact_times.md, eq. 14].
 struct RootRange {
   long low = 0;
   long high = 0;

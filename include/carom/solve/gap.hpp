@@ -29,10 +29,10 @@ template <Real T>
 }
 
 /// Bound of the relative error of `first_fall` for a parabola, in units of u = 2^-53 [papers/contact_times.md, eq. 12].
-inline constexpr double parabola_error = 8.0;
+inline constexpr double parabola_error = 6.0;
 
 /// First t >= 0 at which f = g0 + g1 t + g2 t^2 is <= 0 and falling, or `never`.
-/// Every root is taken in the form that does not cancel; whether there is one is decided by the exact sign of g1^2 - 4 g2 g0.
+/// Every root is taken in the form that does not cancel; the exact sign of g1^2 - 4 g2 g0 decides whether there is one.
 template <Real T>
 [[nodiscard]] inline T first_fall(const T& g0, const T& g1, const T& g2) {
   using std::sqrt;
@@ -49,8 +49,8 @@ template <Real T>
   return g1 > 0 ? T((g1 + sqrt(d)) / (-2 * g2)) : T(2 * g0 / (sqrt(d) - g1));
 }
 
-/// The same for a contact that has just been resolved: f(0) = 0 by state, so f = t (g1 + g2 t), and f does not fall to first
-/// order. A g1 < 0 is rounding and counts as 0. Returns 0 if f falls to second order (pressed together).
+/// The same for a contact that has just been resolved: f(0) = 0 by state, so f = t (g1 + g2 t), and f does not fall to
+/// first order. A g1 < 0 is rounding and counts as 0. Returns 0 if f falls to second order (pressed together).
 template <Real T>
 [[nodiscard]] inline T next_fall(const T& g1, const T& g2) {
   if (!(g2 < 0)) return never<T>();

@@ -54,7 +54,7 @@ template <Real T>
 }
 
 /// Bound of the error of `enclose` as a multiple of sum |c_i s^i|: (2 n u)^2 for the compensated scheme in degree n = 4
-/// [Graillat2005, theorem 5], 2 n u for the plain one, both doubled.
+/// [Graillat2005], 2 n u for the plain one, both doubled.
 template <Real T>
 [[nodiscard]] inline T horner_error() {
   const T u = unit_roundoff<T>();
@@ -67,8 +67,8 @@ template <Real T>
 
 }  // namespace detail
 
-/// The same polynomial in s = t 2^-k, times a power of two that makes its largest term at s = 1 about 1. What is 2^-1000 times
-/// smaller than that may vanish; it is below the error bound.
+/// The same polynomial in s = t 2^-k, times a power of two that makes its largest term at s = 1 about 1. What is 2^-1000
+/// times smaller than that may vanish; it is below the error bound.
 template <Real T>
 class Window {
  public:

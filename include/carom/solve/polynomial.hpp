@@ -63,14 +63,16 @@ template <Real T>
 
 }  // namespace detail
 
-/// Bounds for double, u = 2^-53 [papers/contact_times.md, eq. 15, 16]. With t returned and t* the exact answer for the given f,
+/// Bounds for double, u = 2^-53 [papers/contact_times.md, eq. 15, 16]. With t returned and t* the exact answer for the
+/// given f,
 ///   |t - t*| <= root_error u t + root_noise u^2 sum |c_i t^i| / |f'(t)|,
 /// and a minimum or maximum of f within root_noise u^2 sum |c_i t^i| of 0 counts as 0: it touches.
 inline constexpr double root_error = 4.0;
 inline constexpr double root_noise = 256.0;
 
-/// First t >= 0 at which f = c[0] + c[1] t + ... (degree <= 4) is <= 0 and falling, or `never`, by the overlap rule of gap.hpp.
-/// The order is that of the coefficients that are there (not 0). Their sizes may differ by any power that double holds.
+/// First t >= 0 at which f = c[0] + c[1] t + ... (degree <= 4) is <= 0 and falling, or `never`, by the overlap rule of
+/// gap.hpp. The order is that of the coefficients that are there (not 0). Their sizes may differ by any power that double
+/// holds.
 template <Real T, std::size_t N>
 [[nodiscard]] inline T first_fall(const std::array<T, N>& c) {
   return detail::first_fall(detail::polynomial<T>(c));
@@ -81,8 +83,9 @@ template <std::size_t N>
   return detail::first_fall(detail::polynomial<double>(c));
 }
 
-/// The same for a contact that has just been resolved, f(0) = 0 by state: f = t (c[0] + c[1] t + ...), so the coefficients begin
-/// with that of t. f does not fall to first order: a c[0] < 0 is rounding and counts as 0. Returns 0 if the next one falls.
+/// The same for a contact that has just been resolved, f(0) = 0 by state: f = t (c[0] + c[1] t + ...), so the
+/// coefficients begin with that of t. f does not fall to first order: a c[0] < 0 is rounding and counts as 0. Returns 0
+/// if the next one falls.
 template <Real T, std::size_t N>
 [[nodiscard]] inline T next_fall(const std::array<T, N>& c) {
   return detail::next_fall(detail::polynomial<T>(c));

@@ -4,9 +4,9 @@
 //   |r + v t|^2 - sigma^2 = a t^2 + 2 b t + c,  a = v.v,  b = r.v,  c = r.r - sigma^2  [papers/contact_times.md, eq. 3]
 //   d = b^2 - a c = a sigma^2 - |r x v|^2                                              [eq. 5]
 //
-// For double a filter settles nearly every call in plain arithmetic; what it does not settle goes to pair_terms, where signs
-// are exact. So whether two bodies meet is the exact answer for the r, v and sigma given. Inputs are finite; components and
-// sigma that are not 0 lie within 2^-450 .. 2^450.
+// For double a filter settles nearly every call in plain arithmetic; what it does not settle goes to pair_terms, where
+// signs are exact. So whether two bodies meet is the exact answer for the r, v and sigma given. Inputs are finite;
+// components and sigma that are not 0 lie within 2^-450 .. 2^450.
 
 #include "carom/core/vec.hpp"
 #include "carom/solve/gap.hpp"
@@ -20,8 +20,8 @@ inline constexpr double leave_time_error = 800.0;
 
 namespace detail {
 
-// c is taken as it comes only above this share of sigma^2, and d only above this share of a sigma^2: their errors, some u of
-// r.r and of a sigma |r|, then stay below meet_time_error.
+// c is taken as it comes only above this share of sigma^2, and d only above this share of a sigma^2: their errors, some u
+// of r.r and of a sigma |r|, then stay below meet_time_error.
 inline constexpr double near_contact = 0x1p-7;
 inline constexpr double near_grazing = 0x1p-5;
 
@@ -60,8 +60,8 @@ template <int D>
 
 }  // namespace detail
 
-/// First t >= 0 at which |r + v t| falls to sigma: t = c / (-b + sqrt(d)), or `never`. Two balls: r and v of one relative to
-/// the other, sigma the sum of the radii. Overlapping: 0 if approaching, else `never`. Grazing (d = 0) is no meeting.
+/// First t >= 0 at which |r + v t| falls to sigma: t = c / (-b + sqrt(d)), or `never`. Two balls: r and v of one relative
+/// to the other, sigma the sum of the radii. Overlapping: 0 if approaching, else `never`. Grazing (d = 0) is no meeting.
 /// For double the decision is exact and the relative error of t at most meet_time_error u.
 template <Real T, int D>
 [[nodiscard]] inline T meet_time(const Vec<T, D>& r, const Vec<T, D>& v, const T& sigma) {
@@ -91,8 +91,8 @@ template <Real T, int D>
   }
 }
 
-/// A ball inside a circle or sphere (rho: the radius less that of the ball): first t >= 0 at which rho^2 - |r + v t|^2 is <= 0
-/// and falling. Outside and inward bound: where it leaves again, or the turning point -b / a if it never gets inside.
+/// A ball inside a circle or sphere (rho: the radius less that of the ball): first t >= 0 at which rho^2 - |r + v t|^2 is
+/// <= 0 and falling. Outside and inward bound: where it leaves again, or the turning point -b / a if it never gets inside.
 /// For double the decision is exact and the relative error of t at most leave_time_error u.
 template <Real T, int D>
 [[nodiscard]] inline T leave_time(const Vec<T, D>& r, const Vec<T, D>& v, const T& rho) {
@@ -117,11 +117,12 @@ template <Real T, int D>
   }
 }
 
-/// Bound of the relative error of `chord_time` for double, in units of u = 2^-53.
+/// Bound of the relative error of `chord_time` for double, in units of u = 2^-53 [papers/contact_times.md, eq. 6].
 inline constexpr double chord_time_error = 6.0;
 
-/// From wall to wall inside a circle or sphere about the origin: |r| = rho by state, so the root 0 is dropped and the other is
-/// -2 b / a. The contact has just been resolved: r.v > 0 is rounding and counts as 0, which returns 0 (pressed to the wall).
+/// From wall to wall inside a circle or sphere about the origin: |r| = rho by state, so the root 0 is dropped and the
+/// other is -2 b / a. The contact has just been resolved: r.v > 0 is rounding and counts as 0, which returns 0 (pressed
+/// to the wall).
 template <Real T, int D>
 [[nodiscard]] inline T chord_time(const Vec<T, D>& r, const Vec<T, D>& v) {
   const T a = dot<T, D>(v, v);

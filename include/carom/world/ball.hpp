@@ -15,14 +15,14 @@ namespace carom {
 /// Hot state. Written only when the motion of the ball changes: all of it is the state at `time`.
 template <class Real, int D>
 struct Ball {
-  Vec<Real, D> position;      ///< [length unit] at `time`; wrapped into the cell of a periodic space
-  Vec<Real, D> velocity;      ///< [length unit / L] at `time`
-  Time<Real> time;            ///< when the motion last changed
-  Real radius = Real(0);      ///< [length unit]
-  std::uint32_t stamp = 0;    ///< counts the changes of motion
-  bool fixed = false;         ///< never moves
-  bool in_contact = false;    ///< made contacts at `time`: see Contact
-  bool alive = true;          ///< false once it has left (merged, pocketed)
+  Vec<Real, D> position;    ///< [length unit] at `time`; wrapped into the cell of a periodic space
+  Vec<Real, D> velocity;    ///< [length unit / L] at `time`
+  Time<Real> time;          ///< when the motion last changed
+  Real radius = Real(0);    ///< [length unit]
+  std::uint32_t stamp = 0;  ///< counts the changes of motion
+  bool fixed = false;       ///< never moves
+  bool in_contact = false;  ///< made contacts at `time`: see Contact
+  bool alive = true;        ///< false once it has left (merged, pocketed)
 };
 
 /// What touches: the other party of a contact.
@@ -49,16 +49,16 @@ struct Contact {
 /// Cold state: read and written by collisions only.
 template <class Real, int D>
 struct BallDetail {
-  Real mass = Real(1);                ///< [mass unit]; infinity: keeps its velocity. Of the body that the ball belongs to
-  std::uint32_t material = 0;         ///< row of the restitution table
-  std::int32_t rank = 0;              ///< 1-D: place in the order along the line, which never changes
-  std::array<std::int64_t, D> image{};///< periods counted out of the stored position
-  std::vector<Contact<D>> contacts;   ///< made at the stored time
-  Time<Real> last_hit = Time<Real>::never();  ///< its previous collision
-  Party last_party = Party::ball;     ///< with whom
+  Real mass = Real(1);         ///< [mass unit]; infinity: keeps its velocity
+  std::uint32_t material = 0;  ///< row of the restitution table
+  std::int32_t rank = 0;       ///< 1-D: place in the order along the line, which never changes
+  std::array<std::int64_t, static_cast<std::size_t>(D)> image{};  ///< periods counted out of the stored position
+  std::vector<Contact<D>> contacts;                               ///< made at the stored time
+  Time<Real> last_hit = Time<Real>::never();                      ///< its previous collision
+  Party last_party = Party::ball;                                 ///< with whom
   std::uint32_t last_partner = std::numeric_limits<std::uint32_t>::max();
   std::int32_t last_feature = 0;
-  std::int32_t body = -1;             ///< row of World::bodies; -1: a body of its own
+  std::int32_t body = -1;  ///< row of World::bodies; -1: a body of its own
   std::string name;
 };
 

@@ -6,19 +6,20 @@
 
 namespace carom {
 
-/// Values of one kind of quantity (lengths, speeds, masses) may span 2^400 on either side of the unit; beyond is an InputError.
+/// Values of one kind of quantity (lengths, speeds, masses) may span 2^400 on either side of the unit; beyond is an
+/// InputError.
 inline constexpr int exponent_range = 400;
 
 /// Builds the world of a scene in the arithmetic of Real; D must be the scene's dimension.
-/// The epoch length is L = tau 2^-12 rounded to a power of two, with tau = smallest positive length / largest speed that any ball
-/// of finite mass could reach with all the kinetic energy of the start (or that a fall through the largest length gives).
-/// Balls whose gap to each other or to a wall cannot be told from 0, given half an ulp of doubt in each input, start in contact.
-/// Throws InputError with every problem found.
+/// The epoch length is L = tau 2^-12 rounded to a power of two, with tau = smallest positive length / largest speed that
+/// any ball of finite mass could reach with all the kinetic energy of the start (or that a fall through the largest length
+/// gives). Balls whose gap to each other or to a wall cannot be told from 0, given half an ulp of doubt in each input,
+/// start in contact. Throws InputError with every problem found.
 template <class Real, int D>
 [[nodiscard]] World<Real, D> build(const Scene& scene);
 
-/// The moment `t` of a scene (user's unit of time) on a clock with epochs of 2^exponent; the exact text counts, rounded once to
-/// the grid. `never` beyond the clock.
+/// The moment `t` of a scene (user's unit of time) on a clock with epochs of 2^exponent; the exact text counts, rounded
+/// once to the grid. `never` beyond the clock.
 template <class Real>
 [[nodiscard]] Time<Real> clock_time(const Number& t, int exponent);
 

@@ -32,8 +32,9 @@ struct PairGrid {
 
 }  // namespace detail
 
-/// Calls f(i, j, image) once for every pair i < j (and i == j for a ball and its own image) that may be closer than the sum of
-/// the radii plus `margin`; `positions` are those of the balls, wrapped in a periodic space. Farther pairs may be named too.
+/// Calls f(i, j, image) once for every pair i < j (and i == j for a ball and its own image) that may be closer than the sum
+/// of the radii plus `margin`; `positions` are those of the balls, wrapped in a periodic space. Farther pairs may be named
+/// too.
 template <class Real, int D, class F>
 void for_each_near_pair(const World<Real, D>& world, const std::vector<Vec<Real, D>>& positions, double margin, F&& f) {
   const std::uint32_t n = static_cast<std::uint32_t>(positions.size());

@@ -28,7 +28,9 @@ class RestitutionTable {
     between_[a * materials_ + b] = e;
     between_[b * materials_ + a] = e;
   }
-  void set_at_wall(std::uint32_t material, std::uint32_t wall, const Real& e) { at_wall_[wall * materials_ + material] = e; }
+  void set_at_wall(std::uint32_t material, std::uint32_t wall, const Real& e) {
+    at_wall_[wall * materials_ + material] = e;
+  }
 
  private:
   std::size_t materials_ = 0;

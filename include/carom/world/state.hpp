@@ -23,11 +23,15 @@ template <Motion M>
   return b.time == t ? typename M::Vector(b.velocity) : motion.velocity(b.velocity, b.fixed, elapsed(b.time, t));
 }
 
+/// Counts of periods, one an axis.
+template <int D>
+using Turns = std::array<std::int64_t, static_cast<std::size_t>(D)>;
+
 /// Wraps x into the cell of a periodic space, [lower, lower + edge), and gives the periods taken out.
 template <class Real, int D>
-inline std::array<std::int64_t, D> wrap(const Space<Real, D>& space, Vec<Real, D>& x) {
+inline Turns<D> wrap(const Space<Real, D>& space, Vec<Real, D>& x) {
   using std::floor;
-  std::array<std::int64_t, D> turns{};
+  Turns<D> turns{};
   if (!space.periodic()) return turns;
   for (int k = 0; k < D; ++k) {
     const Real n = floor((x[k] - space.lower[k]) / space.edge[k]);
@@ -47,11 +51,11 @@ inline std::array<std::int64_t, D> wrap(const Space<Real, D>& space, Vec<Real, D
   return turns;
 }
 
-/// The motion of ball i changes: it is at x with velocity v at time t. Contacts made at an earlier time end; those made at t
-/// stay, and are no longer spent. Gives the periods that were taken out of x.
+/// The motion of ball i changes: it is at x with velocity v at time t. Contacts made at an earlier time end; those made at
+/// t stay, and are no longer spent. `image` counts the periods already taken out of x.
 template <class Real, int D>
-inline std::array<std::int64_t, D> write_state(World<Real, D>& world, std::uint32_t i, const Vec<Real, D>& x,
-                                               const Vec<Real, D>& v, const Time<Real>& t) {
+inline void write_state(World<Real, D>& world, std::uint32_t i, const Vec<Real, D>& x, const Turns<D>& image,
+                        const Vec<Real, D>& v, const Time<Real>& t) {
   Ball<Real, D>& ball = world.balls[i];
   BallDetail<Real, D>& detail = world.details[i];
   if (ball.time != t) {
@@ -59,12 +63,37 @@ inline std::array<std::int64_t, D> write_state(World<Real, D>& world, std::uint3
     ball.in_contact = false;
   }
   ball.position = x;
-  const std::array<std::int64_t, D> turns = wrap(world.space, ball.position);
-  for (int k = 0; k < D; ++k) detail.image[k] += turns[k];
+  const Turns<D> turns = wrap(world.space, ball.position);
+  for (int k = 0; k < D; ++k) detail.image[k] = image[k] + turns[k];
   ball.velocity = v;
   ball.time = t;
   ++ball.stamp;
-  return turns;
+}
+
+/// The motion of the body of ball i changes: ball i is at x (not wrapped anew) with velocity v at time t, and so are its
+/// fellows, each at its constant offset. Appends the numbers of all balls written to `written`.
+template <Motion M>
+inline void write_motion(World<typename M::Real, M::dimension>& world, const M& motion, std::uint32_t i,
+                         const typename M::Vector& x, const typename M::Vector& v, const Time<typename M::Real>& t,
+                         std::vector<std::uint32_t>& written) {
+  using Real = typename M::Real;
+  constexpr int D = M::dimension;
+  const std::int32_t b = world.details[i].body;
+  if (b < 0) {
+    write_state(world, i, x, world.details[i].image, v, t);
+    written.push_back(i);
+    return;
+  }
+  Body<Real, D>& body = world.bodies[static_cast<std::size_t>(b)];
+  const Ball<Real, D>& before = world.balls[i];
+  if (before.time != t)
+    body.position = motion.position(body.position, before.velocity, before.fixed, elapsed(before.time, t));
+  const Turns<D> turns = wrap(world.space, body.position);
+  for (int k = 0; k < D; ++k) body.image[k] += turns[k];
+  for (std::size_t m = 0; m < body.members.size(); ++m) {
+    write_state(world, body.members[m], typename M::Vector(body.position + body.offsets[m]), body.image, v, t);
+    written.push_back(body.members[m]);
+  }
 }
 
 /// Ball i holds `contact` from now on, in place of an earlier one with the same feature.

@@ -6,6 +6,7 @@
 
 #include "carom/shape/face.hpp"
 #include "carom/shape/plane.hpp"
+#include "carom/shape/segment.hpp"
 #include "carom/shape/sphere.hpp"
 
 namespace carom {
@@ -14,6 +15,7 @@ template <class Real, int D>
 struct Walls {
   std::vector<Face<Real, D>> faces;
   std::vector<Plane<Real, D>> planes;
+  std::vector<Segment<Real>> segments;  ///< 2-D
   std::vector<Sphere<Real, D>> spheres;
   std::vector<std::string> labels;  ///< by wall number: "0", "1", ... in file order, then the faces "x-", "x+", "y-", ...
 
@@ -24,6 +26,8 @@ struct Walls {
   void for_each(F&& f) const {
     for (const auto& s : faces) f(s);
     for (const auto& s : planes) f(s);
+    if constexpr (D == 2)
+      for (const auto& s : segments) f(s);
     if constexpr (D > 1)
       for (const auto& s : spheres) f(s);
   }

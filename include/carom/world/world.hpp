@@ -27,9 +27,12 @@ struct Space {
 /// Balls that move as one without rotating (law "stick").
 template <class Real, int D>
 struct Body {
-  Vec<Real, D> position;               ///< [length unit] of its reference point at the members' stored time
-  std::vector<std::uint32_t> members;  ///< ball numbers
-  std::vector<Vec<Real, D>> offsets;   ///< of the members from the reference point; constant
+  Real mass = Real(0);  ///< [mass unit]; infinity if a member's is
+  Vec<Real, D> position =
+      Vec<Real, D>::Zero();  ///< [length unit] of its reference point at the members' stored time, wrapped
+  std::array<std::int64_t, static_cast<std::size_t>(D)> image{};  ///< periods counted out of `position`
+  std::vector<std::uint32_t> members;                             ///< ball numbers
+  std::vector<Vec<Real, D>> offsets;                              ///< of the members from the reference point; constant
 };
 
 template <class RealType, int Dimension>
@@ -39,16 +42,21 @@ struct World {
   using Vector = Vec<Real, Dimension>;
 
   Units units;
-  Time<Real> start;                                 ///< when the walls are where the scene puts them
-  std::vector<Ball<Real, Dimension>> balls;         ///< by ball number
-  std::vector<BallDetail<Real, Dimension>> details; ///< by ball number
-  std::vector<Body<Real, Dimension>> bodies;        ///< those of more than one ball
+  Time<Real> start;                                  ///< when the walls are where the scene puts them
+  std::vector<Ball<Real, Dimension>> balls;          ///< by ball number
+  std::vector<BallDetail<Real, Dimension>> details;  ///< by ball number
+  std::vector<Body<Real, Dimension>> bodies;         ///< those of more than one ball
   Walls<Real, Dimension> walls;
   Space<Real, Dimension> space;
-  Vector acceleration = Vector::Zero();             ///< [length unit / L^2] of every ball that is not fixed
+  Vector acceleration = Vector::Zero();  ///< [length unit / L^2] of every ball that is not fixed
   RestitutionTable<Real> restitution;
   LawKind law = LawKind::restitution;
 
+  /// Mass of the body that ball i belongs to.
+  [[nodiscard]] const Real& body_mass(std::uint32_t i) const {
+    const std::int32_t b = details[i].body;
+    return b < 0 ? details[i].mass : bodies[static_cast<std::size_t>(b)].mass;
+  }
   [[nodiscard]] bool accelerated() const { return !(acceleration == Vector::Zero()); }
 };
 

@@ -98,7 +98,8 @@ class Cells {
         left -= run;
         c += run;
       } else {
-        if (!rows<K - 1>(low, high, base * static_cast<std::size_t>(n) + static_cast<std::size_t>(c), next, visit)) return false;
+        if (!rows<K - 1>(low, high, base * static_cast<std::size_t>(n) + static_cast<std::size_t>(c), next, visit))
+          return false;
         --left;
         ++c;
       }

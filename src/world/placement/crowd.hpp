@@ -17,10 +17,10 @@ template <int D>
 struct Crowd {
   using Vector = std::array<double, D>;
 
-  struct Source {              ///< where a ball's random numbers come from
+  struct Source {  ///< where a ball's random numbers come from
     std::uint64_t seed = 0;
-    std::uint32_t entry = 0;   ///< its [[gas]]
-    std::uint32_t index = 0;   ///< its number within the entry
+    std::uint32_t entry = 0;  ///< its [[gas]]
+    std::uint32_t index = 0;  ///< its number within the entry
   };
 
   bool periodic = true;
@@ -59,8 +59,8 @@ struct Crowd {
 /// What an attempt at a placement came to.
 struct Outcome {
   bool done = false;
-  std::size_t placed = 0;   ///< balls that found a place at all
-  double reached = 0.0;     ///< radii times this would not overlap; 1 where done
+  std::size_t placed = 0;  ///< balls that found a place at all
+  double reached = 0.0;    ///< radii times this would not overlap; 1 where done
 };
 
 }  // namespace carom

@@ -34,7 +34,8 @@ class Problems {
 
 void check_values(std::span<const GasSpec> specs, Problems& problems) {
   for (const GasSpec& s : specs) {
-    if (s.count < 1 || s.count > most_balls) problems.add(s, fmt::format("count is {}", s.count), "1 to 1e9 balls are possible", "");
+    if (s.count < 1 || s.count > most_balls)
+      problems.add(s, fmt::format("count is {}", s.count), "1 to 1e9 balls are possible", "");
     if (!s.radius && !s.packing_fraction) {
       problems.add(s, "a gas with neither radius nor packing_fraction", "one sets the size of the balls", "");
     }
@@ -42,7 +43,8 @@ void check_values(std::span<const GasSpec> specs, Problems& problems) {
       problems.add(s, fmt::format("radius is {}", s.radius->value), "it must be 0 or more", "");
     }
     if (s.packing_fraction && !(s.packing_fraction->value > 0.0 && s.packing_fraction->value < 1.0)) {
-      problems.add(s, fmt::format("packing_fraction is {}", s.packing_fraction->value), "it must be above 0 and below 1", "");
+      problems.add(s, fmt::format("packing_fraction is {}", s.packing_fraction->value), "it must be above 0 and below 1",
+                   "");
     }
   }
 }
@@ -71,13 +73,15 @@ double share(const GasSpec& s, double radius, const Region& region) {
 std::vector<double> resolve_radii(std::span<const GasSpec> specs, const Region& region, Problems& problems) {
   std::vector<double> radii;
   for (const GasSpec& s : specs) {
-    radii.push_back(s.radius ? s.radius->value
-                             : radius_for_packing(s.packing_fraction->value, s.count, region_volume(region), region.dimension));
+    radii.push_back(s.radius
+                        ? s.radius->value
+                        : radius_for_packing(s.packing_fraction->value, s.count, region_volume(region), region.dimension));
     if (!s.radius || !s.packing_fraction) continue;
     const double packing = share(s, radii.back(), region);
     if (std::abs(packing - s.packing_fraction->value) <= 1e-12 * packing) continue;
-    problems.add(s, fmt::format("packing_fraction is {}, but {} balls of radius {} fill {} of the space", s.packing_fraction->value,
-                                s.count, s.radius->value, packing),
+    problems.add(s,
+                 fmt::format("packing_fraction is {}, but {} balls of radius {} fill {} of the space",
+                             s.packing_fraction->value, s.count, s.radius->value, packing),
                  "both are given and do not agree", "Leave radius, packing_fraction or [space] out");
   }
   return radii;
@@ -97,9 +101,10 @@ void check_room(std::span<const GasSpec> specs, std::span<const double> radii, c
   for (std::size_t e = 0; e < specs.size(); ++e) {
     total += share(specs[e], radii[e], region);
     if (2.0 * (radii[e] + padding(radii[e], region)) < narrowest) continue;
-    problems.add(specs[e], fmt::format("balls of radius {:.12g} in a space {:.12g} wide", radii[e], narrowest),
-                 region.kind == SpaceKind::periodic ? "a ball would touch its own image" : "they do not fit between the faces",
-                 "Reduce radius or packing_fraction, or take a larger space");
+    problems.add(
+        specs[e], fmt::format("balls of radius {:.12g} in a space {:.12g} wide", radii[e], narrowest),
+        region.kind == SpaceKind::periodic ? "a ball would touch its own image" : "they do not fit between the faces",
+        "Reduce radius or packing_fraction, or take a larger space");
   }
   for (const Obstacle& o : obstacles) {
     if (region.kind != SpaceKind::periodic || 2.0 * (o.radius + padding(o.radius, region)) < narrowest) continue;
@@ -177,8 +182,9 @@ Outcome place(Crowd<D>& crowd, const Region& region) {
   }
   const double packing = packing_of(region, crowd.radius), target = insertion_packing(D);
   const double scale = packing <= target ? 1.0 : dimensional_root(target / packing, D);
-  // In pairs looked at, of some 20 nanoseconds each.
-  const std::int64_t effort = 200'000'000 + 1000 * static_cast<std::int64_t>(crowd.size());
+  // In pairs looked at, of some 20 nanoseconds each: a second for few balls, a quarter of a minute for a million.
+  const auto n = static_cast<std::int64_t>(crowd.size());
+  const std::int64_t effort = 50'000'000 + std::min(5000 * n, 500'000'000 + 500 * n);
   std::int64_t budget = effort;
   double best = 0.0;
   for (std::uint32_t attempt = 0; attempt < 20 && budget > 0; ++attempt) {
@@ -190,22 +196,25 @@ Outcome place(Crowd<D>& crowd, const Region& region) {
   return {false, crowd.source.size(), reachable(crowd, best, effort / 4)};
 }
 
-[[noreturn]] void refuse(std::span<const GasSpec> specs, std::span<const double> radii, const Region& region, std::size_t culprit,
-                         const Outcome& outcome, std::int64_t placed_of_culprit) {
+[[noreturn]] void refuse(std::span<const GasSpec> specs, std::span<const double> radii, const Region& region,
+                         std::size_t culprit, const Outcome& outcome, std::int64_t placed_of_culprit) {
   const GasSpec& s = specs[culprit];
   double asked = 0.0;
   for (std::size_t e = 0; e < specs.size(); ++e) asked += share(specs[e], radii[e], region);
-  const std::string what = fmt::format("{} balls of radius {:.12g} could not be placed without overlap (packing fraction {:.6g}{})", s.count,
-                                       radii[culprit], asked, specs.size() > 1 ? " with the other gases" : "");
+  const std::string what =
+      fmt::format("{} balls of radius {:.12g} could not be placed without overlap (packing fraction {:.6g}{})", s.count,
+                  radii[culprit], asked, specs.size() > 1 ? " with the other gases" : "");
   if (placed_of_culprit < s.count) {
-    throw InputError(Problem{"", s.where.line, what, fmt::format("only {} found a place", placed_of_culprit),
-                             placed_of_culprit > 0 ? fmt::format("Up to about {} fit", placed_of_culprit)
-                                                   : "Is there room between walls and balls?"});
+    throw InputError(Problem{
+        "", s.where.line, what, fmt::format("only {} found a place", placed_of_culprit),
+        placed_of_culprit > 0 ? fmt::format("About {} fit", placed_of_culprit) : "Is there room between walls and balls?"});
   }
   const double reached = dimensional_power(outcome.reached, region.dimension);
-  throw InputError(Problem{"", s.where.line, what, fmt::format("a packing fraction of {:.6g} was reached", asked * reached),
-                           s.radius ? fmt::format("About {} balls of this radius fit", std::floor(static_cast<double>(s.count) * reached))
-                                    : fmt::format("A packing_fraction of {:.4g} fits", std::floor(1e4 * share(s, radii[culprit], region) * reached) / 1e4)});
+  throw InputError(Problem{
+      "", s.where.line, what, fmt::format("a packing fraction of {:.6g} was reached", asked * reached),
+      s.radius ? fmt::format("About {} balls of this radius fit", std::floor(static_cast<double>(s.count) * reached))
+               : fmt::format("A packing_fraction of {:.4g} fits",
+                             std::floor(1e4 * share(s, radii[culprit], region) * reached) / 1e4)});
 }
 
 template <int D>
@@ -230,8 +239,9 @@ std::vector<PlacedBalls> place_in(std::span<const GasSpec> specs, std::span<cons
   for (std::size_t e = 0; e < specs.size(); ++e) {
     all.push_back({radii[e], share(specs[e], radii[e], region), {}, {}, region});
     all.back().position.resize(static_cast<std::size_t>(specs[e].count) * D);
-    all.back().velocity = maxwell_velocities({specs[e].count, D, specs[e].temperature, specs[e].mass, specs[e].seed,
-                                              static_cast<std::uint32_t>(e)}, region.kind);
+    all.back().velocity = maxwell_velocities(
+        {specs[e].count, D, specs[e].temperature, specs[e].mass, specs[e].seed, static_cast<std::uint32_t>(e)},
+        region.kind);
   }
   for (std::size_t i = 0; i < crowd.source.size(); ++i) {
     const auto& source = crowd.source[i];
@@ -246,8 +256,8 @@ std::vector<PlacedBalls> place_in(std::span<const GasSpec> specs, std::span<cons
 
 }  // namespace
 
-std::vector<PlacedBalls> place_gases(std::span<const GasSpec> specs, const Region& region, std::span<const Obstacle> obstacles,
-                                     const ClearOfWalls& clear_of_walls) {
+std::vector<PlacedBalls> place_gases(std::span<const GasSpec> specs, const Region& region,
+                                     std::span<const Obstacle> obstacles, const ClearOfWalls& clear_of_walls) {
   if (specs.empty()) return {};
   Problems problems;
   check_values(specs, problems);
@@ -259,9 +269,12 @@ std::vector<PlacedBalls> place_gases(std::span<const GasSpec> specs, const Regio
   check_room(specs, radii, space, obstacles, problems);
   problems.raise_if_any();
   switch (space.dimension) {
-    case 1: return place_in<1>(specs, radii, space, obstacles, clear_of_walls);
-    case 2: return place_in<2>(specs, radii, space, obstacles, clear_of_walls);
-    default: return place_in<3>(specs, radii, space, obstacles, clear_of_walls);
+    case 1:
+      return place_in<1>(specs, radii, space, obstacles, clear_of_walls);
+    case 2:
+      return place_in<2>(specs, radii, space, obstacles, clear_of_walls);
+    default:
+      return place_in<3>(specs, radii, space, obstacles, clear_of_walls);
   }
 }
 

@@ -42,21 +42,22 @@ class Lists {
   [[nodiscard]] bool free(const Vector& x, double r, double scale) const {
     for (const Level& level : levels_) {
       if (level.balls == 0) continue;
-      const bool clear = level.cells.around(x, scale * (r + level.widest), [&](std::size_t first, std::size_t last, int image) {
-        const Vector& s = shift_[image];
-        for (std::size_t cell = first; cell < last; ++cell) {
-          for (std::uint32_t j = level.head[cell]; j != no_ball; j = next_[j]) {
-            double square = 0.0;
-            for (int k = 0; k < D; ++k) {
-              const double d = crowd_.x[j][k] + s[k] - x[k];
-              square += d * d;
+      const bool clear =
+          level.cells.around(x, scale * (r + level.widest), [&](std::size_t first, std::size_t last, int image) {
+            const Vector& s = shift_[image];
+            for (std::size_t cell = first; cell < last; ++cell) {
+              for (std::uint32_t j = level.head[cell]; j != no_ball; j = next_[j]) {
+                double square = 0.0;
+                for (int k = 0; k < D; ++k) {
+                  const double d = crowd_.x[j][k] + s[k] - x[k];
+                  square += d * d;
+                }
+                const double contact = scale * (r + crowd_.radius[j]);
+                if (square <= contact * contact) return false;
+              }
             }
-            const double contact = scale * (r + crowd_.radius[j]);
-            if (square <= contact * contact) return false;
-          }
-        }
-        return true;
-      });
+            return true;
+          });
       if (!clear) return false;
     }
     return true;

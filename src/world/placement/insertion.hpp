@@ -5,8 +5,11 @@
 
 namespace carom {
 
-/// Share of the volume up to which insertion is quick: about half of where it saturates (0.7476, 0.5470, 0.3841 in 1, 2, 3-D).
-[[nodiscard]] constexpr double insertion_packing(int dimension) { return dimension == 1 ? 0.4 : dimension == 2 ? 0.32 : 0.2; }
+/// Share of the volume up to which insertion is quick: about half of where it saturates (0.7476, 0.5470, 0.3841 in 1, 2,
+/// 3-D).
+[[nodiscard]] constexpr double insertion_packing(int dimension) {
+  return dimension == 1 ? 0.4 : dimension == 2 ? 0.32 : 0.2;
+}
 
 /// Places the balls after the obstacles with all radii times `scale`, but clear of walls and faces at full radius.
 /// A ball that finds no place in 1000 tries shrinks the scale by a tenth; `reached` is the scale in the end.

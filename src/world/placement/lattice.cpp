@@ -28,12 +28,18 @@ struct Filling {
 
 const char* name_of(LatticeKind kind) {
   switch (kind) {
-    case LatticeKind::chain: return "chain";
-    case LatticeKind::square: return "square";
-    case LatticeKind::hexagonal: return "hexagonal";
-    case LatticeKind::cubic: return "cubic";
-    case LatticeKind::fcc: return "fcc";
-    case LatticeKind::rack: return "rack";
+    case LatticeKind::chain:
+      return "chain";
+    case LatticeKind::square:
+      return "square";
+    case LatticeKind::hexagonal:
+      return "hexagonal";
+    case LatticeKind::cubic:
+      return "cubic";
+    case LatticeKind::fcc:
+      return "fcc";
+    case LatticeKind::rack:
+      return "rack";
   }
   return "";
 }
@@ -131,7 +137,8 @@ double largest_diameter(LatticeKind kind, const Region& region, const Filling& f
   return d;
 }
 
-/// Coordinate of layer j along an axis. In a periodic cell the pattern is centred; in a box the outer layers mirror each other.
+/// Coordinate of layer j along an axis. In a periodic cell the pattern is centred; in a box the outer layers mirror each
+/// other.
 double layer_position(LatticeKind kind, const Region& region, const Filling& f, int axis, std::int64_t j) {
   const Layers l = layers(kind, f, axis);
   const double first = region.kind == SpaceKind::periodic ? 0.5 * l.spacing : 0.5;
@@ -168,8 +175,9 @@ std::string counts_that_fit(const LatticeSpec& spec, const Region& region) {
   const auto fits = [&](std::int64_t count) {
     const auto f = best_filling(spec.kind, count, region);
     if (!f) return false;
-    const double r = spec.radius ? spec.radius->value
-                                 : radius_for_packing(spec.packing_fraction->value, count, region_volume(region), region.dimension);
+    const double r = spec.radius
+                         ? spec.radius->value
+                         : radius_for_packing(spec.packing_fraction->value, count, region_volume(region), region.dimension);
     return 2.0 * r <= largest_diameter(spec.kind, region, *f) * (1.0 + 0x1p-50);
   };
   std::vector<std::int64_t> found;
@@ -191,10 +199,13 @@ std::string counts_that_fit(const LatticeSpec& spec, const Region& region) {
 std::string shape_rule(LatticeKind kind, const Region& region) {
   switch (kind) {
     case LatticeKind::hexagonal:
-      return region.kind == SpaceKind::periodic ? "balls a row times an even number of rows, stretched by a factor of 2 at most"
-                                                : "balls a row times rows, stretched by a factor of 2 at most";
-    case LatticeKind::fcc: return "4 times the cells along the three axes, stretched by a factor of 2 at most";
-    default: return "a product of whole numbers along the axes, stretched by a factor of 2 at most";
+      return region.kind == SpaceKind::periodic
+                 ? "balls a row times an even number of rows, stretched by a factor of 2 at most"
+                 : "balls a row times rows, stretched by a factor of 2 at most";
+    case LatticeKind::fcc:
+      return "4 times the cells along the three axes, stretched by a factor of 2 at most";
+    default:
+      return "a product of whole numbers along the axes, stretched by a factor of 2 at most";
   }
 }
 
@@ -206,16 +217,20 @@ std::vector<Problem> problems_of(const LatticeSpec& spec, const Region& region) 
   };
   const int d = dimension_of(spec.kind);
   if (d != region.dimension) {
-    add(fmt::format("a {} lattice in {} dimension{}", name_of(spec.kind), region.dimension, region.dimension == 1 ? "" : "s"),
+    add(fmt::format("a {} lattice in {} dimension{}", name_of(spec.kind), region.dimension,
+                    region.dimension == 1 ? "" : "s"),
         fmt::format("it needs {}", d), "chain is 1-D, square, hexagonal and rack are 2-D, cubic and fcc are 3-D");
   }
-  if (region.kind == SpaceKind::open) add("a lattice in an open space", "a lattice fills [space]", "Give [space] a kind, lower and upper");
+  if (region.kind == SpaceKind::open)
+    add("a lattice in an open space", "a lattice fills [space]", "Give [space] a kind, lower and upper");
   if (spec.count < 1) add(fmt::format("count is {}", spec.count), "a lattice needs at least one ball", "");
-  if (!spec.radius && !spec.packing_fraction) add("neither radius nor packing_fraction is given", "one sets the size of the balls", "");
+  if (!spec.radius && !spec.packing_fraction)
+    add("neither radius nor packing_fraction is given", "one sets the size of the balls", "");
   if (spec.packing_fraction && !(spec.packing_fraction->value > 0.0)) {
     add(fmt::format("packing_fraction is {}", spec.packing_fraction->value), "it must be above 0", "");
   }
-  if (spec.radius && !(spec.radius->value >= 0.0)) add(fmt::format("radius is {}", spec.radius->value), "it must be 0 or more", "");
+  if (spec.radius && !(spec.radius->value >= 0.0))
+    add(fmt::format("radius is {}", spec.radius->value), "it must be 0 or more", "");
   return problems;
 }
 
@@ -226,8 +241,9 @@ double resolved_radius(const LatticeSpec& spec, const Region& region) {
   if (!spec.packing_fraction) return r;
   const double packing = static_cast<double>(spec.count) * ball_volume(r, region.dimension) / volume;
   if (!(std::abs(packing - spec.packing_fraction->value) <= 1e-12 * packing)) {
-    throw InputError(Problem{"", spec.where.line, fmt::format("packing_fraction is {}, but {} balls of radius {} fill {} of [space]",
-                                                              spec.packing_fraction->value, spec.count, r, packing),
+    throw InputError(Problem{"", spec.where.line,
+                             fmt::format("packing_fraction is {}, but {} balls of radius {} fill {} of [space]",
+                                         spec.packing_fraction->value, spec.count, r, packing),
                              "both are given and do not agree", "Leave one of the two out"});
   }
   return r;
@@ -241,7 +257,8 @@ PlacedBalls place_lattice(const LatticeSpec& spec, const Region& region) {
 
   const auto filling = best_filling(spec.kind, spec.count, region);
   if (!filling) {
-    throw InputError(Problem{"", spec.where.line, fmt::format("{} balls do not fit a {} lattice in this space", spec.count, name_of(spec.kind)),
+    throw InputError(Problem{"", spec.where.line,
+                             fmt::format("{} balls do not fit a {} lattice in this space", spec.count, name_of(spec.kind)),
                              shape_rule(spec.kind, region), counts_that_fit(spec, region)});
   }
   const double r = resolved_radius(spec, region), room = largest_diameter(spec.kind, region, *filling);
@@ -252,14 +269,16 @@ PlacedBalls place_lattice(const LatticeSpec& spec, const Region& region) {
   if (2.0 * r > room * (1.0 + 0x1p-50)) {
     throw InputError(Problem{
         "", spec.where.line,
-        fmt::format("{} balls of radius {} (packing fraction {:.6g}) overlap on a {} lattice in this space", spec.count, r, packing(r), name_of(spec.kind)),
+        fmt::format("{} balls of radius {} (packing fraction {:.6g}) overlap on a {} lattice in this space", spec.count, r,
+                    packing(r), name_of(spec.kind)),
         fmt::format("this lattice has room for radius {:.12g}, packing fraction {:.12g}", 0.5 * room, packing(0.5 * room)),
         counts_that_fit(spec, region)});
   }
 
   PlacedBalls placed{r, packing(r), positions(spec.kind, region, *filling), {}, region};
-  placed.velocity = maxwell_velocities({spec.count, region.dimension, spec.temperature ? spec.temperature->value : 0.0, spec.mass,
-                                        spec.seed, 0}, region.kind);
+  placed.velocity = maxwell_velocities(
+      {spec.count, region.dimension, spec.temperature ? spec.temperature->value : 0.0, spec.mass, spec.seed, 0},
+      region.kind);
   return placed;
 }
 

@@ -15,11 +15,13 @@ struct Interval {
   std::vector<std::uint32_t> rods;
 };
 
-/// The parts of the line between the obstacles. A ring without obstacles is cut at 0; else at the centre of the first obstacle.
+/// The parts of the line between the obstacles. A ring without obstacles is cut at 0; else at the centre of the first
+/// obstacle.
 std::vector<Interval> intervals(const Crowd<1>& crowd) {
   const double length = crowd.edge[0];
   std::vector<std::pair<double, double>> taken;  // low and high end of each obstacle
-  for (std::size_t i = 0; i < crowd.fixed; ++i) taken.emplace_back(crowd.x[i][0] - crowd.radius[i], crowd.x[i][0] + crowd.radius[i]);
+  for (std::size_t i = 0; i < crowd.fixed; ++i)
+    taken.emplace_back(crowd.x[i][0] - crowd.radius[i], crowd.x[i][0] + crowd.radius[i]);
   std::sort(taken.begin(), taken.end());
   std::vector<Interval> found;
   const auto add = [&](double low, double high) {

@@ -12,7 +12,7 @@ double cube_root(double x) {
   const int third = (exponent + 1200) / 3 - 400;  // floor of exponent / 3
   const auto power_of_two = [](int n) { return std::bit_cast<double>(static_cast<std::uint64_t>(n + 1023) << 52); };
   const double m = x * power_of_two(-third) * power_of_two(-third) * power_of_two(-third);  // [1, 8)
-  double y = 0.75 + 0.25 * m - 0.0138 * m * m;                                             // within 15 %
+  double y = 0.75 + 0.25 * m - 0.0138 * m * m;                                              // within 15 %
   for (int i = 0; i < 6; ++i) y -= (y * y * y - m) / (3.0 * y * y);
   return y * power_of_two(third);
 }

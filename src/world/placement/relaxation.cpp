@@ -11,9 +11,9 @@ namespace {
 
 constexpr double list_reach = 0.25;  ///< pairs are listed up to 1 + list_reach contact distances
 constexpr std::array<double, 3> slacks{0.02, 0.005, 0.0005};
-constexpr double step = 1.4;         ///< share of the overlap that one push removes; halves the sweeps against 1
-constexpr int patience = 100;        ///< sweeps between two looks at the progress
-constexpr double progress = 0.9;     ///< what a look must find left of the overlaps at most
+constexpr double step = 1.4;      ///< share of the overlap that one push removes; halves the sweeps against 1
+constexpr int patience = 100;     ///< sweeps between two looks at the progress
+constexpr double progress = 0.9;  ///< what a look must find left of the overlaps at most
 
 template <int D>
 class Relaxation {
@@ -21,11 +21,17 @@ class Relaxation {
   using Vector = typename Crowd<D>::Vector;
 
   Relaxation(Crowd<D>& crowd, std::int64_t& budget)
-      : crowd_(crowd), budget_(budget), shift_(image_shifts<D>(crowd.edge)), x_(crowd.x), radius_(crowd.radius), id_(crowd.size()) {
+      : crowd_(crowd),
+        budget_(budget),
+        shift_(image_shifts<D>(crowd.edge)),
+        x_(crowd.x),
+        radius_(crowd.radius),
+        id_(crowd.size()) {
     std::iota(id_.begin(), id_.end(), 0u);
     const double largest = *std::max_element(radius_.begin(), radius_.end());
     level_of_.resize(crowd.size());
-    for (std::size_t i = 0; i < crowd.size(); ++i) level_of_[i] = static_cast<std::uint8_t>(size_class(radius_[i], largest));
+    for (std::size_t i = 0; i < crowd.size(); ++i)
+      level_of_[i] = static_cast<std::uint8_t>(size_class(radius_[i], largest));
     for (std::size_t i = 0; i < crowd.size(); ++i) {
       double volume = 1.0;
       for (int k = 0; k < D; ++k) volume *= radius_[i] / largest;

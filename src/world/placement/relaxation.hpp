@@ -6,9 +6,9 @@
 namespace carom {
 
 /// Moves the balls after the obstacles, sweep by sweep and pair by pair: every pair nearer than its contact distance times
-/// 1 + slack is moved apart, beyond it by 2/5, small balls more than large ones. Done when no pair overlaps; given up when 100 sweeps have not
-/// taken a tenth off the overlaps even at the least slack, or when the number of pairs looked at exceeds `budget`.
-/// All steps are in a fixed order: the result is a function of the start.
+/// 1 + slack is moved apart, beyond it by 2/5, small balls more than large ones. Done when no pair overlaps; given up when
+/// 100 sweeps have not taken a tenth off the overlaps even at the least slack, or when the number of pairs looked at
+/// exceeds `budget`. All steps are in a fixed order: the result is a function of the start.
 template <int D>
 [[nodiscard]] Outcome push_apart(Crowd<D>& crowd, std::int64_t& budget);
 

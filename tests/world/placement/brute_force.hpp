@@ -28,7 +28,8 @@ inline std::vector<TestBall> balls_of(const std::vector<PlacedBalls>& all) {
   return balls;
 }
 
-/// Smallest (distance - contact distance) / contact distance over pairs and images, and over faces of a box (there over the radius).
+/// Smallest (distance - contact distance) / contact distance over pairs and images, and over faces of a box (there over the
+/// radius).
 inline double smallest_gap(const std::vector<TestBall>& balls, const Region& region) {
   const int d = region.dimension;
   const bool periodic = region.kind == SpaceKind::periodic;
@@ -42,8 +43,8 @@ inline double smallest_gap(const std::vector<TestBall>& balls, const Region& reg
     for (std::size_t j = i; j < balls.size(); ++j) {
       const long double contact = static_cast<long double>(balls[i].radius) + balls[j].radius;
       for (int code = 0; code < (periodic ? (d == 1 ? 3 : d == 2 ? 9 : 27) : 1); ++code) {
-        const std::array<int, 3> image = periodic ? std::array{code % 3 - 1, code / 3 % 3 - (d > 1), code / 9 - (d > 2)}
-                                                  : std::array{0, 0, 0};
+        const std::array<int, 3> image =
+            periodic ? std::array{code % 3 - 1, code / 3 % 3 - (d > 1), code / 9 - (d > 2)} : std::array{0, 0, 0};
         if (i == j && image == std::array{0, 0, 0}) continue;
         long double square = 0;
         for (int k = 0; k < d; ++k) {

@@ -13,8 +13,8 @@
 namespace carom {
 namespace {
 
-using ::testing::HasSubstr;
 using test::cube, test::smallest_gap, test::balls_of;
+using ::testing::HasSubstr;
 
 LatticeSpec lattice(LatticeKind kind, std::int64_t count, double packing) {
   LatticeSpec spec;
@@ -35,7 +35,9 @@ std::string refusal(const LatticeSpec& spec, const Region& region) {
   return "";
 }
 
-double gap_of(const LatticeSpec& spec, const Region& region) { return smallest_gap(balls_of({place_lattice(spec, region)}), region); }
+double gap_of(const LatticeSpec& spec, const Region& region) {
+  return smallest_gap(balls_of({place_lattice(spec, region)}), region);
+}
 
 struct Case {
   LatticeKind kind;
@@ -103,7 +105,7 @@ TEST(Lattice, says_which_counts_fit) {
   LatticeSpec full = lattice(LatticeKind::square, 55, 0.5);
   full.packing_fraction.reset();
   full.radius = 0.5;
-  EXPECT_THAT(refusal(full, {SpaceKind::box, 2, {0, 0}, {10, 5}}), HasSubstr("that fit: 45, 50."));
+  EXPECT_THAT(refusal(full, {SpaceKind::box, 2, {0, 0}, {10, 5}}), HasSubstr("that fit: 45, 50"));
 }
 
 TEST(Lattice, refuses_what_does_not_suit_the_space) {

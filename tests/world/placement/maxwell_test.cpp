@@ -26,9 +26,9 @@ TEST(Maxwell, has_the_exact_temperature_and_no_momentum) {
         const auto v = maxwell_velocities(m, space);
         ASSERT_EQ(v.size(), static_cast<std::size_t>(n * d));
         for (int k = 0; k < d; ++k) {
-          double plain = 0.0;  // exact: all components are multiples of one power of two
-          for (std::size_t i = k; i < v.size(); i += d) plain += v[i];
-          EXPECT_EQ(plain, 0.0);
+          long double sum = 0;  // exact: all components are multiples of one power of two
+          for (std::size_t i = k; i < v.size(); i += d) sum += v[i];
+          EXPECT_EQ(sum, 0);
         }
         const auto freedoms = static_cast<double>(d * (space == SpaceKind::periodic ? n - 1 : n));
         worst = std::max(worst, std::abs(temperature_error(m, v, freedoms)));

@@ -21,8 +21,8 @@ LatticeSpec rack(int rows) {
   return spec;
 }
 
-// Each coordinate is within half an ulp of the exact rack, so each neighbour distance lies within the enclosure that these half-ulps
-// make: sum over the axes of |dx| / s times the half-ulps of both coordinates.
+// Each coordinate is within half an ulp of the exact rack, so each neighbour distance lies within the enclosure that these
+// half-ulps make: sum over the axes of |dx| / s times the half-ulps of both coordinates.
 TEST(Rack, touches_to_rounding) {
   using Wide = boost::multiprecision::cpp_bin_float_50;
   for (const Coordinates& direction : {Coordinates{}, Coordinates{1, 0}, Coordinates{0.3, -0.7}, Coordinates{-2, 1e-3}}) {
@@ -38,9 +38,12 @@ TEST(Rack, touches_to_rounding) {
       for (std::size_t j = i + 1; j < 15; ++j) {
         const Wide dx = Wide(x[2 * j]) - x[2 * i], dy = Wide(x[2 * j + 1]) - x[2 * i + 1];
         const double gap = (sqrt(dx * dx + dy * dy) - s).convert_to<double>();
-        const auto half_ulp = [&](std::size_t k) { return 0.5 * (std::nextafter(std::abs(x[k]), INFINITY) - std::abs(x[k])); };
+        const auto half_ulp = [&](std::size_t k) {
+          return 0.5 * (std::nextafter(std::abs(x[k]), INFINITY) - std::abs(x[k]));
+        };
         const double width = (std::abs(dx.convert_to<double>()) * (half_ulp(2 * i) + half_ulp(2 * j)) +
-                              std::abs(dy.convert_to<double>()) * (half_ulp(2 * i + 1) + half_ulp(2 * j + 1))) / s;
+                              std::abs(dy.convert_to<double>()) * (half_ulp(2 * i + 1) + half_ulp(2 * j + 1))) /
+                             s;
         if (gap < 0.5 * s) {
           ++touching;
           EXPECT_LE(std::abs(gap), width * 1.0001);
@@ -60,7 +63,8 @@ TEST(Rack, stands_behind_its_apex) {
   EXPECT_EQ(placed.radius, 0.5);
   EXPECT_EQ(placed.velocity, std::vector<double>(12, 0.0));
   const double row = 1.5 * std::sqrt(0.75);
-  const std::vector<double> expected{2, 1, 2.75, 1 + row, 1.25, 1 + row, 3.5, 1 + 2 * row, 2, 1 + 2 * row, 0.5, 1 + 2 * row};
+  const std::vector<double> expected{2,   1,           2.75, 1 + row,     1.25, 1 + row,
+                                     3.5, 1 + 2 * row, 2,    1 + 2 * row, 0.5,  1 + 2 * row};
   for (std::size_t i = 0; i < 12; ++i) EXPECT_NEAR(placed.position[i], expected[i], 1e-15);
 }
 

@@ -32,6 +32,6 @@ struct Maxwell {
 [[nodiscard]] std::vector<double> maxwell_velocities(const Maxwell& maxwell, SpaceKind space);
 
 /// Largest relative error of the temperature in units of 2^-53 (measured by maxwell_test).
-inline constexpr double temperature_ulp = 8.0;
+inline constexpr double temperature_ulp = 6.0;
 
 }  // namespace carom

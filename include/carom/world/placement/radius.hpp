@@ -8,7 +8,7 @@
 namespace carom {
 
 /// Largest error of `cube_root` in units of the last place (measured by radius_test, CubeRoot).
-inline constexpr double cube_root_ulp = 1.5;
+inline constexpr double cube_root_ulp = 1.0;
 
 /// The cube root of a normal x >= 0, by Newton's iteration on y^3 = x after a split into powers of eight.
 [[nodiscard]] double cube_root(double x);

@@ -1,0 +1,46 @@
+#pragma once
+// A text file written line by line, in big writes, that remembers what went wrong.
+
+#include <cstdio>
+#include <stdexcept>
+#include <string>
+
+namespace carom {
+
+/// Output could not be written (exit status 3): the file, the reason and a remedy.
+class OutputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+class OutputFile {
+ public:
+  /// Creates the file or empties it. Throws OutputError.
+  explicit OutputFile(std::string path);
+  /// Writes out the complete lines that are left; errors are lost, so finish with `close`.
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  /// Where the next line is to be composed. `end_line` ends it.
+  [[nodiscard]] std::string& line() noexcept { return buffer_; }
+  void end_line();
+
+  /// Whether a write has failed. What comes after is dropped.
+  [[nodiscard]] bool failed() const noexcept { return error_ != 0; }
+
+  /// Writes out everything and closes the file. Throws OutputError if any write has failed.
+  void close();
+
+  [[nodiscard]] const std::string& path() const noexcept { return path_; }
+
+ private:
+  void flush();
+
+  std::string path_;
+  std::string buffer_;
+  std::FILE* file_ = nullptr;
+  int error_ = 0;  // errno of the first failure
+};
+
+}  // namespace carom

@@ -1,0 +1,23 @@
+#pragma once
+// What a run ends with: the physics, and what it took.
+
+#include <optional>
+#include <vector>
+
+#include "carom/sim/summary.hpp"
+
+namespace carom {
+
+struct RunReport {
+  Summary summary;
+  std::optional<std::vector<BallState>> final;  ///< the balls that are left; none: not asked for
+  double seconds = 0.0;                         ///< [s] wall time of the run, without the building of the scene
+  double peak_memory_mb = 0.0;                  ///< [MiB] of the process
+
+  /// [1/s] 0 if no time has passed.
+  [[nodiscard]] double collisions_per_second() const noexcept {
+    return seconds > 0 ? static_cast<double>(summary.events.collisions()) / seconds : 0.0;
+  }
+};
+
+}  // namespace carom

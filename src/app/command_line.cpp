@@ -1,0 +1,112 @@
+#include "command_line.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <sstream>
+
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include "carom/core/error.hpp"
+#include "carom/write/output_file.hpp"
+#include "scene/words.hpp"
+#include "unbuilt_commands.hpp"
+
+namespace carom::app {
+
+namespace {
+
+class Parser {
+ public:
+  Parser() : program_("Exact event-driven dynamics of hard balls", "carom") {
+    program_.set_version_flag("--version", "carom " CAROM_VERSION);
+    program_.footer("Example:\n  carom new break_shot && carom run break_shot.toml\n\nEvery command has --help.");
+    run_command_ = add_run_command(program_, run_);
+    explain_command_ = add_explain_command(program_, explain_);
+    new_command_ = add_new_command(program_, new_);
+  }
+
+  Command parse(const std::vector<std::string>& words) {
+    if (words.empty()) return Answer{ExitStatus::done, program_.help()};
+    if (!words.front().starts_with('-') && !known(words.front())) return refuse(words.front());
+    try {
+      program_.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // it takes them from the back
+    } catch (const CLI::ParseError& error) {
+      return answer(error);
+    }
+    if (run_command_->parsed()) return run_;
+    if (explain_command_->parsed()) return explain_;
+    if (new_command_->parsed()) return new_;
+    return Answer{ExitStatus::wrong_input, "carom: a command is missing. See carom --help\n"};
+  }
+
+ private:
+  [[nodiscard]] std::vector<CLI::App*> commands() const { return {run_command_, explain_command_, new_command_}; }
+
+  [[nodiscard]] bool known(const std::string& word) const {
+    const auto list = commands();
+    return std::any_of(list.begin(), list.end(), [&](const CLI::App* command) { return command->get_name() == word; });
+  }
+
+  [[nodiscard]] Answer refuse(const std::string& word) const {
+    if (is_unbuilt_command(word)) return {ExitStatus::wrong_input, "carom: command " + word + ": not built yet\n"};
+    const auto list = commands();
+    std::vector<std::string> names;
+    for (const CLI::App* command : list) names.push_back(command->get_name());
+    const std::string hint = scene_text::suggestion(word, {names.begin(), names.end()});
+    return {ExitStatus::wrong_input, "carom: there is no command " + scene_text::in_quotes(word) + ". " + hint + "\n"};
+  }
+
+  [[nodiscard]] Answer answer(const CLI::ParseError& error) const {
+    if (error.get_exit_code() == 0) {  // help or the version was asked for
+      std::ostringstream out, err;
+      static_cast<void>(program_.exit(error, out, err));
+      return {ExitStatus::done, out.str()};
+    }
+    std::string name = "carom";
+    for (const CLI::App* command : program_.get_subcommands()) name += " " + command->get_name();
+    return {ExitStatus::wrong_input, name + ": " + error.what() + ". See " + name + " --help\n"};
+  }
+
+  CLI::App program_;
+  RunOptions run_;
+  ExplainOptions explain_;
+  NewOptions new_;
+  CLI::App *run_command_, *explain_command_, *new_command_;
+};
+
+ExitStatus carry_out(const Answer& answer, const Console& console) {
+  (answer.status == ExitStatus::done ? console.out : console.err) << answer.text;
+  return answer.status;
+}
+ExitStatus carry_out(const RunOptions& options, const Console& console) { return run(options, console); }
+ExitStatus carry_out(const ExplainOptions& options, const Console& console) { return explain(options, console); }
+ExitStatus carry_out(const NewOptions& options, const Console& console) { return new_scene(options, console); }
+
+ExitStatus carry_out_any(const Command& command, const Console& console) {
+  const ExitStatus status = std::visit([&](const auto& c) { return carry_out(c, console); }, command);
+  console.out.flush();
+  if (!console.out) throw OutputError("cannot write to standard output.");
+  return status;
+}
+
+}  // namespace
+
+Command parse(const std::vector<std::string>& words) { return Parser().parse(words); }
+
+ExitStatus perform(const Command& command, const Console& console) {
+  try {
+    return carry_out_any(command, console);
+  } catch (const InputError& error) {
+    for (const Problem& problem : error.problems()) console.err << (problem.file.empty() ? "carom: " : "") << problem.text() << '\n';
+    return ExitStatus::wrong_input;
+  } catch (const OutputError& error) {
+    console.err << "carom: " << error.what() << '\n';
+    return ExitStatus::stopped;
+  } catch (const std::exception& error) {
+    console.err << "carom: this is a bug in carom: " << error.what() << '\n';
+    return ExitStatus::bug;
+  }
+}
+
+}  // namespace carom::app

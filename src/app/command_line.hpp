@@ -1,0 +1,30 @@
+#pragma once
+// From the words of a command line to a command, and from a command to an exit status.
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "console.hpp"
+#include "exit_status.hpp"
+#include "explain_command.hpp"
+#include "new_command.hpp"
+#include "run_command.hpp"
+
+namespace carom::app {
+
+/// Something to say and nothing to do: help, the version, or what is wrong with the command line.
+struct Answer {
+  ExitStatus status = ExitStatus::done;
+  std::string text;
+};
+
+using Command = std::variant<Answer, RunOptions, ExplainOptions, NewOptions>;
+
+/// `words` are the arguments without the program's name.
+[[nodiscard]] Command parse(const std::vector<std::string>& words);
+
+/// Carries the command out. Errors become messages and an exit status.
+ExitStatus perform(const Command& command, const Console& console);
+
+}  // namespace carom::app

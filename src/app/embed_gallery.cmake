@@ -1,0 +1,11 @@
+# Writes OUTPUT, the C++ file that defines gallery(), from the scene files SCENES (examples/NAME/scene.toml).
+set(code "#include \"gallery.hpp\"\n\nnamespace carom::app {\n\n")
+string(APPEND code "const std::vector<GalleryScene>& gallery() {\n  static const std::vector<GalleryScene> scenes{\n")
+foreach(scene IN LISTS SCENES)
+  get_filename_component(folder "${scene}" DIRECTORY)
+  get_filename_component(name "${folder}" NAME)
+  file(READ "${scene}" text)
+  string(APPEND code "{\"${name}\", R\"carom_scene(${text})carom_scene\"},\n")
+endforeach()
+string(APPEND code "  };\n  return scenes;\n}\n\n}  // namespace carom::app\n")
+file(WRITE "${OUTPUT}" "${code}")

@@ -1,0 +1,90 @@
+#include "explain_command.hpp"
+
+#include <fmt/core.h>
+
+#include "carom/sim/simulation.hpp"
+#include "carom/write/number_text.hpp"
+#include "model.hpp"
+#include "write/json_text.hpp"
+
+namespace carom::app {
+
+namespace {
+
+std::string space_text(const SpaceSpec& space) {
+  switch (space.kind) {
+    case SpaceKind::open:
+      return "open";
+    case SpaceKind::box:
+      return "a box with reflecting faces";
+    case SpaceKind::periodic:
+      return "periodic";
+  }
+  return "";
+}
+
+Json facts(const Scene& scene, const Simulation& simulation) {
+  const Composition& c = simulation.composition();
+  const double epoch = simulation.epoch_length();
+  return {{"title", scene.title},
+          {"dimension", scene.dimension},
+          {"space", space_text(scene.space)},
+          {"balls", simulation.summary().balls},
+          {"walls", simulation.wall_count()},
+          {"composition", {{"motion", c.motion}, {"search", c.search}, {"queue", c.queue}, {"reasons", c.reasons}}},
+          {"precision", "double"},
+          {"epoch_length", hex_text(epoch)},
+          {"time_resolution", epoch * 0x1p-53},
+          {"collisions", collision_rules(scene)},
+          {"not_modelled", not_modelled(scene)},
+          {"limits", limits(scene)}};
+}
+
+void print_list(std::ostream& out, const char* heading, const Json& sentences) {
+  out << '\n' << heading << '\n';
+  for (const Json& s : sentences) out << "  - " << s.get<std::string>() << '\n';
+}
+
+void print(std::ostream& out, const Json& f, double epoch) {
+  const std::string title = f["title"];
+  if (!title.empty()) out << title << "\n\n";
+  const auto row = [&out](const char* label, const std::string& value) { out << fmt::format("  {:<13}{}\n", label, value); };
+  const auto word = [&f](const char* key) { return f["composition"][key].get<std::string>(); };
+  row("scene", fmt::format("{} balls and {} walls in {}-D; space: {}", f["balls"].get<std::int64_t>(),
+                           f["walls"].get<std::int64_t>(), f["dimension"].get<int>(), f["space"].get<std::string>()));
+  row("motion", word("motion"));
+  row("search", word("search"));
+  row("queue", word("queue"));
+  row("units", "the scene's own; carom never converts");
+  row("clock", fmt::format("epochs of {} = {}, in steps of {:.3g}", f["epoch_length"].get<std::string>(), number_text(epoch),
+                           f["time_resolution"].get<double>()));
+  print_list(out, "Why", f["composition"]["reasons"]);
+  print_list(out, "Collisions", f["collisions"]);
+  print_list(out, "Not modelled", f["not_modelled"]);
+  print_list(out, "Limits", f["limits"]);
+}
+
+}  // namespace
+
+CLI::App* add_explain_command(CLI::App& program, ExplainOptions& options) {
+  CLI::App* command =
+      program.add_subcommand("explain", "Says what is composed for a scene and why, and what is not modelled");
+  add_scene_arguments(*command, options.scene);
+  command->add_flag("--json", options.json, "Prints one JSON object");
+  command->footer("Example:\n  carom explain scene.toml --set collision.restitution=0.9");
+  return command;
+}
+
+ExitStatus explain(const ExplainOptions& options, const Console& console) {
+  const Scene scene = read_scene(options.scene);
+  const Simulation simulation(scene);
+  const Json f = facts(scene, simulation);
+  if (options.json) {
+    console.out << json_text(f);
+  } else {
+    print(console.out, f, simulation.epoch_length());
+  }
+  return ExitStatus::done;
+}
+
+}  // namespace carom::app

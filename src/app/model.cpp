@@ -1,0 +1,81 @@
+#include "model.hpp"
+
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "carom/write/number_text.hpp"
+
+namespace carom::app {
+
+namespace {
+
+std::string shown(const Number& number) { return number.text.empty() ? number_text(number.value) : number.text; }
+
+std::string rule_between_balls(const CollisionSpec& collision) {
+  switch (collision.law) {
+    case LawKind::stick:
+      return "balls stick: two bodies take their common velocity and are one from then on";
+    case LawKind::merge:
+      return "balls merge: one ball with the summed mass, momentum and volume";
+    case LawKind::restitution:
+      break;
+  }
+  const std::string kind = collision.restitution == 1.0 ? " (elastic)" : collision.restitution == 0.0 ? " (plastic)" : "";
+  return fmt::format("e = {}{} along the normal, where nothing below says otherwise", shown(collision.restitution), kind);
+}
+
+bool dissipates(const Scene& scene) {
+  const auto below = [](const auto& e) { return e < 1.0; };
+  const auto of = [&](const auto& list) {
+    return std::any_of(list.begin(), list.end(), [&](const auto& entry) { return below(entry.restitution); });
+  };
+  const auto at = [&](const std::optional<Number>& e) { return e && below(e->value); };
+  return below(scene.collision.restitution.value) || of(scene.materials) || of(scene.material_pairs) ||
+         at(scene.space.restitution) ||
+         std::any_of(scene.walls.begin(), scene.walls.end(), [&](const WallSpec& w) { return at(w.restitution); });
+}
+
+}  // namespace
+
+std::vector<std::string> collision_rules(const Scene& scene) {
+  std::vector<std::string> rules{rule_between_balls(scene.collision)};
+  for (const MaterialSpec& m : scene.materials) rules.push_back(fmt::format("{}: e = {}", m.name, shown(m.restitution)));
+  for (const MaterialPairSpec& m : scene.material_pairs)
+    rules.push_back(fmt::format("{} with {}: e = {}", m.first, m.second, shown(m.restitution)));
+  if (scene.space.restitution) rules.push_back("faces of the box: e = " + shown(*scene.space.restitution));
+  for (std::size_t i = 0; i < scene.walls.size(); ++i)
+    if (scene.walls[i].restitution) rules.push_back(fmt::format("wall {}: e = {}", i, shown(*scene.walls[i].restitution)));
+  return rules;
+}
+
+std::vector<std::string> not_modelled(const Scene& scene) {
+  std::vector<std::string> list{
+      "rotation: balls have no spin, and impacts are smooth (no friction, no tangential impulse)",
+      "duration and deformation: an impact takes no time, and three bodies that touch at once are resolved pair by pair",
+      "air, rolling and sliding resistance, attraction, charge"};
+  const auto& g = scene.motion.acceleration;
+  const bool free = std::all_of(g.begin(), g.end(), [](const Number& a) { return a == 0.0; });
+  if (free) {
+    list.push_back("gravity: no force acts between impacts (give motion.acceleration for one)");
+  } else {
+    list.push_back("forces other than the uniform acceleration");
+  }
+  if (scene.dimension < 3)
+    list.push_back(scene.dimension == 1 ? "directions beyond the line: balls are rods that cannot pass each other"
+                                        : "the third dimension: balls are disks");
+  return list;
+}
+
+std::vector<std::string> limits(const Scene& scene) {
+  std::vector<std::string> list{
+      "double precision: a contact time is the root of the exact equation, rounded; the summary reports the largest gap error",
+      "chaos multiplies rounding errors at every impact: single trajectories part from the true ones after some tens of "
+      "impacts of a ball, while conserved quantities and averages stay right"};
+  if (dissipates(scene) && scene.collision.law == LawKind::restitution)
+    list.push_back("restitution below 1: infinitely many impacts in finite time (inelastic collapse, a ball that comes to rest) "
+                   "end the run with status 3");
+  return list;
+}
+
+}  // namespace carom::app

@@ -1,0 +1,35 @@
+#pragma once
+// How far a run has come, in one line that is written over and over and erased at the end.
+
+#include <chrono>
+#include <ostream>
+
+#include "carom/scene/scene.hpp"
+#include "carom/sim/simulation.hpp"
+
+namespace carom::app {
+
+class Progress {
+ public:
+  /// Writes to `screen`, once the run has lasted over a second; nullptr: nothing is shown.
+  Progress(std::ostream* screen, const RunSpec& run);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void show(const Simulation& simulation);
+
+  [[nodiscard]] double seconds() const;  ///< [s] since construction
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  [[nodiscard]] double fraction_done(const Simulation& simulation) const;
+
+  std::ostream* screen_;
+  const RunSpec& run_;
+  Clock::time_point begin_ = Clock::now();
+  double shown_at_ = 0.0;  // [s]
+};
+
+}  // namespace carom::app

@@ -1,0 +1,131 @@
+#include "run_command.hpp"
+
+#include <sys/resource.h>
+
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include "carom/core/error.hpp"
+#include "carom/sim/simulation.hpp"
+#include "carom/write/summary_json.hpp"
+#include "carom/write/summary_table.hpp"
+#include "interrupt.hpp"
+#include "progress.hpp"
+#include "run_outputs.hpp"
+#include "run_to_the_end.hpp"
+
+namespace carom::app {
+
+namespace {
+
+constexpr std::int64_t shown_balls = 20;  // the table for people lists the balls of scenes up to this size
+
+void refuse_unbuilt(const RunOptions& options) {
+  std::vector<Problem> problems;
+  if (options.precision != "double")
+    problems.push_back({"", 0, "--precision " + options.precision + ": not built yet", "", "It is \"double\""});
+  if (!options.resume.empty()) problems.push_back({"", 0, "--resume " + options.resume + ": not built yet", "", ""});
+  if (!problems.empty()) throw InputError(std::move(problems));
+}
+
+double peak_memory_mb() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;  // KiB on Linux
+}
+
+/// Runs, and fills the files as it goes. A write that fails ends the run.
+RunReport carry_out(Simulation& simulation, const Scene& scene, RunOutputs& outputs, Interrupt& interrupt,
+                    std::ostream* screen) {
+  RunReport report;
+  Progress progress(screen, scene.run);
+  Watchers watchers;
+  watchers.interrupt = &interrupt.flag();
+  watchers.slice = [&] { progress.show(simulation); };
+  if (EventsCsv* log = outputs.events())
+    watchers.collision = [log, &interrupt](const Collision& collision) {
+      log->write(collision);
+      if (log->failed()) interrupt.flag() = true;
+    };
+  if (TrajectoryCsv* trajectory = outputs.trajectory())
+    watchers.frame = [trajectory, &simulation, &interrupt] {
+      trajectory->write_frame(simulation);
+      if (trajectory->failed()) interrupt.flag() = true;
+    };
+  run_to_the_end(simulation, scene.run, watchers);
+  report.seconds = progress.seconds();
+  report.summary = simulation.summary();
+  return report;
+}
+
+void print(const RunOptions& options, RunReport& report, const Simulation& simulation, const Console& console) {
+  if (options.final || (!options.json && report.summary.balls <= shown_balls)) report.final = simulation.balls();
+  if (options.json) {
+    console.out << summary_json(report);
+  } else if (!options.quiet) {
+    console.out << summary_table(report, console.colour);
+  }
+  console.out.flush();
+  if (!console.out) throw OutputError("cannot write the result to standard output.");
+}
+
+std::string remedy(const Summary& summary, const Simulation& simulation) {
+  if (summary.stopped_by == Stop::non_finite) return "Are sizes, masses or speeds too far apart?";
+  for (const std::uint32_t ball : summary.stopped->balls)
+    if (std::isinf(simulation.ball(ball).mass)) return "Give it a finite mass, or end the run before with --until.";
+  return "Raise the restitution, or end the run before with --until.";
+}
+
+void explain_stop(const Summary& summary, const Simulation& simulation, const Console& console) {
+  const StopDetail& stopped = *summary.stopped;
+  std::string balls;
+  for (const std::uint32_t b : stopped.balls) balls += (balls.empty() ? "" : ", ") + std::to_string(b);
+  console.err << fmt::format("carom: stopped at time {}: {} ({} {}). {}\n", stopped.time, stopped.reason,
+                             stopped.balls.size() == 1 ? "ball" : "balls", balls, remedy(summary, simulation));
+}
+
+}  // namespace
+
+CLI::App* add_run_command(CLI::App& program, RunOptions& options) {
+  CLI::App* command = program.add_subcommand("run", "Runs a scene to its end and prints what came out");
+  add_scene_arguments(*command, options.scene);
+  command->add_option("--until", options.scene.until, "Ends at this time, events at it included")->type_name("T");
+  command->add_option("--events", options.scene.events, "Ends after so many collisions")->type_name("N");
+  command->add_option("--precision", options.precision, "Arithmetic: double")->type_name("P");
+  command->add_option("--resume", options.resume, "Goes on from a checkpoint")->type_name("FILE");
+  command->add_option("--out", options.out, "Folder for the files of [output], made if it is not there")->type_name("DIR");
+  command->add_flag("--json", options.json, "Prints one JSON object");
+  command->add_flag("--final", options.final, "Adds the state of every ball at the end");
+  command->add_flag("--quiet", options.quiet, "No progress and no table");
+  command->footer(
+      "Example:\n  carom run scene.toml --until 10 --set collision.restitution=0.9 --out results --json\n\n"
+      "Exit status: 0 done; 2 wrong scene or command line, nothing written; 3 stopped or not all written;\n"
+      "130 on Ctrl-C and 143 on termination, with output complete to that event.");
+  return command;
+}
+
+ExitStatus run(const RunOptions& options, const Console& console) {
+  refuse_unbuilt(options);
+  const Scene scene = read_scene(options.scene);
+  Simulation simulation(scene);
+  RunOutputs outputs(scene, options.out, simulation);
+  if (!options.out.empty() && !outputs.any() && !options.quiet)
+    console.err << "carom: nothing is written to \"" << options.out << "\": the scene has no files under [output].\n";
+
+  Interrupt interrupt;
+  const bool watched = console.err_is_terminal && !options.quiet;
+  RunReport report = carry_out(simulation, scene, outputs, interrupt, watched ? &console.err : nullptr);
+  const std::string unwritten = outputs.finish(report.summary.stopped_by);
+  report.peak_memory_mb = peak_memory_mb();
+  print(options, report, simulation, console);
+
+  if (!unwritten.empty()) throw OutputError(unwritten);
+  if (report.summary.stopped) {
+    explain_stop(report.summary, simulation, console);
+    return ExitStatus::stopped;
+  }
+  return report.summary.stopped_by == Stop::interrupted ? ended_by(interrupt.signal()) : ExitStatus::done;
+}
+
+}  // namespace carom::app

@@ -1,0 +1,89 @@
+#include "run_to_the_end.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+
+#include "sample_times.hpp"
+
+namespace carom::app {
+
+namespace {
+
+/// A number of collisions that takes about a tenth of a second.
+class Slice {
+ public:
+  [[nodiscard]] std::int64_t collisions() const { return collisions_; }
+
+  void learn(double seconds) {
+    if (seconds < 0.05 && collisions_ < largest) collisions_ *= 2;
+    if (seconds > 0.2 && collisions_ > 1) collisions_ /= 2;
+  }
+
+ private:
+  static constexpr std::int64_t largest = std::int64_t{1} << 40;
+  std::int64_t collisions_ = 256;
+};
+
+class Runner {
+ public:
+  Runner(Simulation& simulation, const RunSpec& run, const Watchers& watchers)
+      : simulation_(simulation), run_(run), watchers_(watchers), samples_(run) {}
+
+  Stop operator()() {
+    frame();
+    while (true) {
+      const std::optional<Number> sample = watchers_.frame ? samples_.next() : std::nullopt;
+      const Stop stop = advance(sample ? sample : run_.until);
+      const bool at_sample = sample && (stop == Stop::until || (stop == Stop::no_events_left && run_.until));
+      if (at_sample) {
+        frame();
+        samples_.advance();
+      } else if (stop != Stop::events || left() == 0) {
+        return end(stop, sample.has_value());
+      }
+    }
+  }
+
+ private:
+  Stop advance(const std::optional<Number>& to) {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point begin = Clock::now();
+    const std::int64_t most = std::min(left(), slice_.collisions());
+    const Stop stop = simulation_.advance(to, most, watchers_.collision, watchers_.interrupt);
+    if (stop == Stop::events) slice_.learn(std::chrono::duration<double>(Clock::now() - begin).count());
+    if (watchers_.slice) watchers_.slice();
+    return stop;
+  }
+
+  [[nodiscard]] std::int64_t left() const {
+    return run_.events ? *run_.events - simulation_.counts().collisions() : std::numeric_limits<std::int64_t>::max();
+  }
+
+  Stop end(Stop stop, bool before_a_sample) {
+    if (stop == Stop::no_events_left && before_a_sample) simulation_.return_to_last_event();
+    if (simulation_.time() > last_frame_) frame();
+    return stop;
+  }
+
+  void frame() {
+    if (!watchers_.frame) return;
+    watchers_.frame();
+    last_frame_ = simulation_.time();
+  }
+
+  Simulation& simulation_;
+  const RunSpec& run_;
+  const Watchers& watchers_;
+  SampleTimes samples_;
+  Slice slice_;
+  double last_frame_ = -std::numeric_limits<double>::infinity();
+};
+
+}  // namespace
+
+Stop run_to_the_end(Simulation& simulation, const RunSpec& run, const Watchers& watchers) {
+  return Runner(simulation, run, watchers)();
+}
+
+}  // namespace carom::app

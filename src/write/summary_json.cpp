@@ -1,0 +1,88 @@
+#include "carom/write/summary_json.hpp"
+
+#include "carom/write/number_text.hpp"
+#include "json_text.hpp"
+
+namespace carom {
+
+namespace {
+
+Json or_null(const std::optional<double>& x) { return x ? Json(*x) : Json(nullptr); }
+
+Json events(const EventCounts& e) {
+  return {{"ball_ball", e.ball_ball}, {"ball_wall", e.ball_wall}, {"other", e.other}, {"ties", e.ties}};
+}
+
+Json energy(const EnergyBalance& e) {
+  return {{"initial", e.initial},
+          {"final", e.final},
+          {"dissipated", e.dissipated},
+          {"injected", e.injected},
+          {"relative_error", e.relative_error}};
+}
+
+Json momentum(const VectorBalance& b) {
+  return {{"initial", b.initial}, {"final", b.final}, {"relative_error", or_null(b.relative_error)}};
+}
+
+// A scalar in 2-D, a vector in 3-D, nothing on a line.
+Json turning(const std::vector<double>& components) {
+  if (components.empty()) return nullptr;
+  return components.size() == 1 ? Json(components.front()) : Json(components);
+}
+
+Json angular_momentum(const VectorBalance& b) {
+  return {{"initial", turning(b.initial)},
+          {"final", turning(b.final)},
+          {"relative_error", b.initial.empty() ? Json(nullptr) : or_null(b.relative_error)}};
+}
+
+Json exactness(const ExactnessSummary& e) {
+  return {{"max_gap_error", e.max_gap_error},
+          {"max_gap_error_relative", e.max_gap_error_relative},
+          {"clamped", e.clamped},
+          {"unresolved", e.unresolved},
+          {"singular", e.singular},
+          {"repredicted", e.repredicted}};
+}
+
+Json final_state(const std::vector<BallState>& balls) {
+  Json list = Json::array();
+  for (const BallState& b : balls)
+    list.push_back({{"index", b.index},
+                    {"name", b.name},
+                    {"position", b.position},
+                    {"image", b.image},
+                    {"unwrapped_position", b.unwrapped_position},
+                    {"velocity", b.velocity}});
+  return list;
+}
+
+}  // namespace
+
+std::string summary_json(const RunReport& report) {
+  const Summary& s = report.summary;
+  Json j{{"title", s.title},
+         {"dimension", s.dimension},
+         {"balls", s.balls},
+         {"composition", s.composition},
+         {"precision", s.precision},
+         {"seed", s.seed},
+         {"epoch_length", hex_text(s.epoch_length)},
+         {"time", s.time},
+         {"stopped_by", word(s.stopped_by)}};
+  if (s.stopped) j["stopped"] = {{"reason", s.stopped->reason}, {"balls", s.stopped->balls}, {"time", s.stopped->time}};
+  j["events"] = events(s.events);
+  j["energy"] = energy(s.energy);
+  j["momentum"] = momentum(s.momentum);
+  j["angular_momentum"] = angular_momentum(s.angular_momentum);
+  j["exactness"] = exactness(s.exactness);
+  j["observed"] = Json::object();
+  if (report.final) j["final"] = final_state(*report.final);
+  j["seconds"] = report.seconds;
+  j["collisions_per_second"] = report.collisions_per_second();
+  j["peak_memory_mb"] = report.peak_memory_mb;
+  return json_text(j);
+}
+
+}  // namespace carom

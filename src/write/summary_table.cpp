@@ -1,0 +1,134 @@
+#include "carom/write/summary_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/core.h>
+
+#include "carom/core/double_double.hpp"
+
+namespace carom {
+
+namespace {
+
+std::string number(double x) { return fmt::format("{:.9g}", x); }
+std::string size(double x) { return fmt::format("{:.2g}", x); }
+
+std::string vector_text(const std::vector<double>& components) {
+  if (components.size() == 1) return number(components.front());
+  std::string text;
+  for (const double x : components) text += (text.empty() ? "(" : ", ") + number(x);
+  return text + ")";
+}
+
+std::string plural(std::int64_t n, const char* one, const char* many) { return fmt::format("{} {}", n, n == 1 ? one : many); }
+
+/// One unit in the last place of |x|.
+double ulp(double x) {
+  const double size = std::abs(x);
+  return std::nextafter(size, std::numeric_limits<double>::infinity()) - size;
+}
+
+/// final + dissipated - initial - injected, summed in twice the precision and rounded once.
+double energy_error(const EnergyBalance& e) {
+  return static_cast<double>((DoubleDouble(e.final) - DoubleDouble(e.initial)) +
+                             (DoubleDouble(e.dissipated) - DoubleDouble(e.injected)));
+}
+
+class Table {
+ public:
+  explicit Table(Colour colour) : colour_(colour) {}
+
+  void title(const std::string& text) { text_ += (colour_ == Colour::on ? "\x1b[1m" + text + "\x1b[0m" : text) + "\n\n"; }
+  void row(const char* label, const std::string& value) { text_ += fmt::format("  {:<18}{}\n", label, value); }
+  void line(const std::string& text) { text_ += text + "\n"; }
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  Colour colour_;
+  std::string text_;
+};
+
+void add_run(Table& table, const Summary& s) {
+  table.row("stopped by", fmt::format("{}, at time {}", word(s.stopped_by), number(s.time)));
+  if (s.stopped) {
+    std::string balls;
+    for (const std::uint32_t b : s.stopped->balls) balls += (balls.empty() ? "" : ", ") + std::to_string(b);
+    table.row("", s.stopped->reason);
+    table.row("", fmt::format("ball {} at time {}", balls, number(s.stopped->time)));
+  }
+  table.row("collisions", fmt::format("{}: {} of two balls, {} with walls; {}", s.events.collisions(), s.events.ball_ball,
+                                      s.events.ball_wall, plural(s.events.ties, "tie", "ties")));
+  if (s.events.other > 0) table.row("other events", std::to_string(s.events.other));
+}
+
+void add_energy(Table& table, const EnergyBalance& e) {
+  table.row("energy", number(e.initial) + " -> " + number(e.final));
+  if (e.dissipated != 0 || e.injected != 0)
+    table.row("", fmt::format("{} dissipated, {} injected", number(e.dissipated), number(e.injected)));
+  const double error = energy_error(e);
+  const std::string ulps =
+      e.initial != 0 && std::isfinite(e.initial) ? fmt::format(", {} ulp of the initial energy", size(error / ulp(e.initial))) : "";
+  table.row("energy error", fmt::format("{}{}; relative {}", size(error), ulps, size(e.relative_error)));
+}
+
+void add_balance(Table& table, const char* label, const VectorBalance& b, const char* what_changes_it) {
+  if (b.initial.empty()) return;
+  table.row(label, vector_text(b.initial) + " -> " + vector_text(b.final));
+  table.row("", b.relative_error ? "relative error " + size(*b.relative_error)
+                                 : fmt::format("not conserved here ({})", what_changes_it));
+}
+
+void add_exactness(Table& table, const ExactnessSummary& e) {
+  table.row("largest gap error", fmt::format("{}, {} of the radii", size(e.max_gap_error), size(e.max_gap_error_relative)));
+  table.row("counted", fmt::format("{} clamped, {} unresolved, {} singular", e.clamped, e.unresolved, e.singular));
+}
+
+void add_cost(Table& table, const RunReport& r) {
+  table.row("took", fmt::format("{:.3g} s, {:.3g} collisions/s, {:.3g} MB", r.seconds, r.collisions_per_second(),
+                                r.peak_memory_mb));
+  table.row("run as", fmt::format("{} in {}-D, {}, {} precision", plural(r.summary.balls, "ball", "balls"),
+                                  r.summary.dimension, r.summary.composition, r.summary.precision));
+}
+
+void add_final(Table& table, const std::vector<BallState>& balls, int dimension) {
+  std::vector<std::vector<std::string>> cells(1, {"ball", "name"});
+  const bool named = std::any_of(balls.begin(), balls.end(), [](const BallState& b) { return !b.name.empty(); });
+  for (const char* prefix : {"", "v"})
+    for (int k = 0; k < dimension; ++k) cells.front().push_back(std::string(prefix) + "xyz"[k]);
+  for (const BallState& b : balls) {
+    std::vector<std::string>& row = cells.emplace_back(std::vector<std::string>{std::to_string(b.index), b.name});
+    for (const double x : b.position) row.push_back(number(x));
+    for (const double v : b.velocity) row.push_back(number(v));
+  }
+  std::vector<std::size_t> widths(cells.front().size(), 0);
+  for (const auto& row : cells)
+    for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], row[k].size());
+  table.line("");
+  for (const auto& row : cells) {
+    std::string line;
+    for (std::size_t k = 0; k < row.size(); ++k)
+      if (k != 1 || named) line += fmt::format("  {:>{}}", row[k], widths[k]);
+    table.line(line);
+  }
+}
+
+}  // namespace
+
+std::string summary_table(const RunReport& report, Colour colour) {
+  const Summary& s = report.summary;
+  Table table(colour);
+  if (!s.title.empty()) table.title(s.title);
+  add_run(table, s);
+  add_energy(table, s.energy);
+  add_balance(table, "momentum", s.momentum, "walls, forces or balls of infinite mass change it");
+  add_balance(table, "angular momentum", s.angular_momentum,
+              "walls, forces, balls of infinite mass or a periodic space change it");
+  add_exactness(table, s.exactness);
+  add_cost(table, report);
+  if (report.final) add_final(table, *report.final, s.dimension);
+  return table.text();
+}
+
+}  // namespace carom

@@ -1,0 +1,60 @@
+// Ctrl-C and termination: a run that would not end by itself ends at an event, with everything written.
+
+#include "app/program.hpp"
+
+#include <chrono>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace carom {
+namespace {
+
+using test::Folder;
+
+/// Starts an endless run, waits until its log has grown, sends the signal.
+test::Outcome interrupted(const Folder& folder, int signal) {
+  folder.write("a.toml", test::head_on(2, "events = 1_000_000_000_000\nsample_every = 1000\n[output]\nevents = \"e.csv\"\n"
+                                          "trajectory = \"t.csv\"\n"));
+  test::Program program(folder, {"run", "a.toml", "--json", "--final", "--until", "1e12"});
+  const auto grown = [&] {
+    std::error_code error;
+    const auto size = std::filesystem::file_size(folder.file("e.csv"), error);
+    return !error && size > 0;
+  };
+  for (int k = 0; k < 12000 && !grown(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  EXPECT_TRUE(grown()) << "no log within a minute";
+  program.send(signal);
+  return program.wait();
+}
+
+class InterruptedRun : public testing::TestWithParam<int> {};
+
+TEST_P(InterruptedRun, is_complete_to_its_last_event) {
+  const Folder folder;
+  const test::Outcome o = interrupted(folder, GetParam());
+  EXPECT_EQ(o.status, 128 + GetParam());
+  EXPECT_EQ(o.err, "");
+  const auto j = nlohmann::json::parse(o.out);
+  EXPECT_EQ(j["stopped_by"], "interrupted");
+  EXPECT_EQ(j["final"].size(), 2U);
+
+  const test::Csv log(folder.read("e.csv"));
+  EXPECT_TRUE(log.whole);
+  const std::size_t collisions = j["events"]["ball_ball"].get<std::size_t>() + j["events"]["ball_wall"].get<std::size_t>();
+  EXPECT_EQ(log.rows.size(), collisions);
+  EXPECT_EQ(log.comments.back(), "# end: interrupted, " + std::to_string(collisions) + " events");
+  EXPECT_LE(std::stod(log.rows.back().at("time")), j["time"].get<double>());
+
+  const test::Csv frames(folder.read("t.csv"));
+  EXPECT_TRUE(frames.whole);
+  EXPECT_EQ(std::stod(frames.rows.back().at("time")), j["time"].get<double>());
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, InterruptedRun, testing::Values(SIGINT, SIGTERM),
+                         [](const auto& test) { return test.param == SIGINT ? "SIGINT" : "SIGTERM"; });
+
+}  // namespace
+}  // namespace carom
