@@ -98,7 +98,8 @@ ExitStatus perform(const Command& command, const Console& console) {
   try {
     return carry_out_any(command, console);
   } catch (const InputError& error) {
-    for (const Problem& problem : error.problems()) console.err << (problem.file.empty() ? "carom: " : "") << problem.text() << '\n';
+    for (const Problem& problem : error.problems())
+      console.err << (problem.file.empty() ? "carom: " : "") << problem.text() << '\n';
     return ExitStatus::wrong_input;
   } catch (const OutputError& error) {
     console.err << "carom: " << error.what() << '\n';

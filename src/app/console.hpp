@@ -8,10 +8,10 @@
 namespace carom::app {
 
 struct Console {
-  std::ostream& out;              ///< the result
-  std::ostream& err;              ///< messages
-  bool err_is_terminal = false;   ///< progress may be shown
-  Colour colour = Colour::off;    ///< of the result
+  std::ostream& out;             ///< the result
+  std::ostream& err;             ///< messages
+  bool err_is_terminal = false;  ///< progress may be shown
+  Colour colour = Colour::off;   ///< of the result
 
   /// Standard output and error. Colour on a terminal, unless NO_COLOR is set.
   [[nodiscard]] static Console standard();

@@ -48,7 +48,9 @@ void print_list(std::ostream& out, const char* heading, const Json& sentences) {
 void print(std::ostream& out, const Json& f, double epoch) {
   const std::string title = f["title"];
   if (!title.empty()) out << title << "\n\n";
-  const auto row = [&out](const char* label, const std::string& value) { out << fmt::format("  {:<13}{}\n", label, value); };
+  const auto row = [&out](const char* label, const std::string& value) {
+    out << fmt::format("  {:<13}{}\n", label, value);
+  };
   const auto word = [&f](const char* key) { return f["composition"][key].get<std::string>(); };
   row("scene", fmt::format("{} balls and {} walls in {}-D; space: {}", f["balls"].get<std::int64_t>(),
                            f["walls"].get<std::int64_t>(), f["dimension"].get<int>(), f["space"].get<std::string>()));
@@ -56,8 +58,8 @@ void print(std::ostream& out, const Json& f, double epoch) {
   row("search", word("search"));
   row("queue", word("queue"));
   row("units", "the scene's own; carom never converts");
-  row("clock", fmt::format("epochs of {} = {}, in steps of {:.3g}", f["epoch_length"].get<std::string>(), number_text(epoch),
-                           f["time_resolution"].get<double>()));
+  row("clock", fmt::format("epochs of {} = {}, in steps of {:.3g}", f["epoch_length"].get<std::string>(),
+                           number_text(epoch), f["time_resolution"].get<double>()));
   print_list(out, "Why", f["composition"]["reasons"]);
   print_list(out, "Collisions", f["collisions"]);
   print_list(out, "Not modelled", f["not_modelled"]);

@@ -69,12 +69,14 @@ std::vector<std::string> not_modelled(const Scene& scene) {
 
 std::vector<std::string> limits(const Scene& scene) {
   std::vector<std::string> list{
-      "double precision: a contact time is the root of the exact equation, rounded; the summary reports the largest gap error",
+      "double precision: a contact time is the root of the exact equation, rounded; the summary reports the largest gap "
+      "error",
       "chaos multiplies rounding errors at every impact: single trajectories part from the true ones after some tens of "
       "impacts of a ball, while conserved quantities and averages stay right"};
   if (dissipates(scene) && scene.collision.law == LawKind::restitution)
-    list.push_back("restitution below 1: infinitely many impacts in finite time (inelastic collapse, a ball that comes to rest) "
-                   "end the run with status 3");
+    list.push_back(
+        "restitution below 1: infinitely many impacts in finite time (inelastic collapse, a ball that comes to rest) "
+        "end the run with status 3");
   return list;
 }
 

@@ -42,9 +42,7 @@ const GalleryScene& find(const std::string& name) {
 }
 
 void write_new(const std::string& path, std::string_view text) {
-  const auto fail = [&path] {
-    throw OutputError(fmt::format("cannot write \"{}\": {}.", path, std::strerror(errno)));
-  };
+  const auto fail = [&path] { throw OutputError(fmt::format("cannot write \"{}\": {}.", path, std::strerror(errno))); };
   std::FILE* file = std::fopen(path.c_str(), "wbx");
   if (file == nullptr && errno == EEXIST)
     throw InputError(Problem{"", 0, scene_text::in_quotes(path) + " is there already", "carom new overwrites nothing",

@@ -14,11 +14,11 @@ namespace carom::app {
 struct RunOptions {
   SceneArguments scene;
   std::string precision = "double";
-  std::string resume;    ///< checkpoint to go on from; empty: none
-  std::string out;       ///< folder for the output files; empty: where the program was started
-  bool json = false;     ///< the result as one JSON object
-  bool final = false;    ///< with the state of every ball at the end
-  bool quiet = false;    ///< no progress, no table, no notes
+  std::string resume;  ///< checkpoint to go on from; empty: none
+  std::string out;     ///< folder for the output files; empty: where the program was started
+  bool json = false;   ///< the result as one JSON object
+  bool final = false;  ///< with the state of every ball at the end
+  bool quiet = false;  ///< no progress, no table, no notes
 };
 
 CLI::App* add_run_command(CLI::App& program, RunOptions& options);

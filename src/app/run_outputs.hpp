@@ -13,8 +13,8 @@ namespace carom::app {
 
 class RunOutputs {
  public:
-  /// Opens the files of [output], in `folder` (made if it is not there) or, if that is empty, where the program was started.
-  /// Throws OutputError; InputError if a file would overwrite the scene.
+  /// Opens the files of [output], in `folder` (made if it is not there) or, if that is empty, where the program was
+  /// started. Throws OutputError; InputError if a file would overwrite the scene.
   RunOutputs(const Scene& scene, const std::string& folder, const Simulation& simulation);
 
   [[nodiscard]] bool any() const { return events_ || trajectory_; }

@@ -24,7 +24,8 @@ std::vector<Override> overrides(const SceneArguments& arguments) {
   for (const std::string& text : arguments.set) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0) {
-      problems.push_back({"", 0, "--set " + text, "it has the form KEY=VALUE", "For instance --set collision.restitution=0.9"});
+      problems.push_back(
+          {"", 0, "--set " + text, "it has the form KEY=VALUE", "For instance --set collision.restitution=0.9"});
     } else {
       list.push_back({text.substr(0, equals), text.substr(equals + 1)});
     }
@@ -50,7 +51,8 @@ std::vector<Problem> in_users_words(std::vector<Problem> problems, const SceneAr
 
 void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
   command.add_option("SCENE", arguments.file, "Scene file (TOML)")->required();
-  command.add_option("--set", arguments.set, "Overrides a key by its dotted path, as ball.0.velocity=[1,0]; may be repeated")
+  command
+      .add_option("--set", arguments.set, "Overrides a key by its dotted path, as ball.0.velocity=[1,0]; may be repeated")
       ->type_name("KEY=VALUE")
       ->type_size(1)
       ->allow_extra_args(false);

@@ -3,10 +3,12 @@
 
 #include <cmath>
 
+#include "carom/core/error.hpp"
 #include "carom/sim/event_driven.hpp"
 #include "carom/sim/totals.hpp"
 #include "carom/world/build.hpp"
 #include "engine.hpp"
+#include "state_bytes.hpp"
 
 namespace carom {
 
@@ -22,9 +24,9 @@ class ComposedEngine final : public Simulation::Engine {
         engine_(world_, motion, std::move(search)),
         reached_(world_.start),
         start_(totals_at(motion, world_, world_.start)) {
+    scene_print_ = print_of_scene();
     conserved_momentum_ = world_.walls.empty() && !world_.accelerated();
     for (const auto& d : world_.details) conserved_momentum_ = conserved_momentum_ && !detail::infinite(d.mass);
-    lowest_potential_ = lowest_potential();
   }
 
   Stop advance(const std::optional<Number>& to, std::optional<std::int64_t> most, const CollisionSink& sink,
@@ -77,6 +79,47 @@ class ComposedEngine final : public Simulation::Engine {
     return result;
   }
 
+  [[nodiscard]] std::string state() const override {
+    WritingArchive archive;
+    archive.out.put(checkpoint_magic);
+    archive.out.put(checkpoint_version);
+    archive.out.put(scene_print_);
+    visit(archive, world_, engine_.collider(), engine_.now(), reached_);
+    const std::uint64_t print = fingerprint(archive.out.bytes());
+    archive.out.put(print);
+    return archive.out.bytes();
+  }
+
+  void restore(std::string_view bytes) override {
+    const auto refuse = [](const char* what, const char* hint) { throw InputError(Problem{"", 0, what, "", hint}); };
+    constexpr std::size_t print_size = sizeof(std::uint64_t);
+    if (bytes.size() < 4 * print_size) refuse("the checkpoint is too short to be one", "Give a file that carom wrote");
+    ByteReader head(bytes);
+    if (head.get<std::uint64_t>() != checkpoint_magic) refuse("this is no checkpoint of carom", "Give a file that carom wrote");
+    if (head.get<std::uint64_t>() != checkpoint_version)
+      refuse("the checkpoint is of another version of carom", "Resume it with the version that wrote it");
+    if (ByteReader(bytes.substr(bytes.size() - print_size)).get<std::uint64_t>() !=
+        fingerprint(bytes.substr(0, bytes.size() - print_size)))
+      refuse("the checkpoint is damaged", "Use an earlier one");
+    if (head.get<std::uint64_t>() != scene_print_)
+      refuse("the checkpoint is of another scene", "Resume it with the scene that it was made from");
+    World<Real, D> world = world_;
+    Collider<M> collider = engine_.collider();
+    Time<Real> now, reached;
+    try {
+      ReadingArchive archive{ByteReader(bytes.substr(3 * print_size, bytes.size() - 4 * print_size))};
+      visit(archive, world, collider, now, reached);
+      if (!archive.in.at_end()) throw std::out_of_range("bytes left over");
+    } catch (const std::out_of_range&) {
+      refuse("the checkpoint is damaged", "Use an earlier one");
+    }
+    for (std::size_t i = 0; i < world.details.size(); ++i) world.details[i].name = world_.details[i].name;
+    world_ = std::move(world);
+    engine_.collider() = std::move(collider);
+    reached_ = reached;
+    engine_.resume(now);
+  }
+
   [[nodiscard]] Summary summary() const override {
     Summary s;
     s.title = title;
@@ -106,6 +149,54 @@ class ComposedEngine final : public Simulation::Engine {
 
  private:
   using W = Wide<Real>;
+  static constexpr std::uint64_t checkpoint_magic = 0x6d6f726163636863;  // "chccarom"
+  static constexpr std::uint64_t checkpoint_version = 1;
+
+  /// Writes what is constant, reads into what is not.
+  template <class Archive>
+  static void visit(Archive& archive, auto& world, auto& collider, auto& now, auto& reached) {
+    StateVisitor<Archive> visitor(archive);
+    visitor.time(now);
+    visitor.time(reached);
+    visitor.counts(collider.counts);
+    visitor.exactness(collider.exactness);
+    visitor.books(collider.books);
+    visitor.watch(collider.watch);
+    visitor.world(world);
+  }
+
+  /// Of all that the scene decides: the balls at the start, the walls, the laws and the space.
+  [[nodiscard]] std::uint64_t print_of_scene() const {
+    WritingArchive archive;
+    StateVisitor<WritingArchive>(archive).world(world_);
+    archive.out.put(D);
+    archive.out.put(world_.units.length);
+    archive.out.put(world_.units.time);
+    archive.out.put(world_.units.mass);
+    archive.out.put(world_.start.epoch);
+    archive.out.put(world_.start.offset);
+    archive.out.put(world_.law);
+    archive.out.put(world_.space.kind);
+    for (int k = 0; k < D; ++k) {
+      archive.out.put(world_.space.lower[k]);
+      archive.out.put(world_.space.edge[k]);
+      archive.out.put(world_.acceleration[k]);
+    }
+    for (const Real& e : world_.restitution.values()) archive.out.put(e);
+    world_.walls.for_each([&](const auto& shape) {
+      archive.out.put(index(shape.wall));
+      archive.out.put(shape.feature);
+      // Where it stands, seen from the corners of a simplex: no two shapes of a kind look alike from all of them.
+      Vec<Real, D> from = Vec<Real, D>::Zero();
+      for (int k = -1; k < D; ++k) {
+        if (k >= 0) from[k] = Real(1);
+        archive.out.put(shape.gap(from));
+      }
+      if constexpr (requires { shape.velocity; })
+        for (int k = 0; k < D; ++k) archive.out.put(shape.velocity[k]);
+    });
+    return fingerprint(archive.out.bytes());
+  }
 
   [[nodiscard]] static double user(const Real& x, int exponent) { return std::ldexp(static_cast<double>(x), exponent); }
   [[nodiscard]] double in_users_time(const Time<Real>& t) const {
@@ -119,27 +210,15 @@ class ComposedEngine final : public Simulation::Engine {
     return e == 0 ? 0.0 : static_cast<double>(Real(e / size));
   }
 
-  /// Of all masses, if each lay where the potential is lowest at the start.
-  [[nodiscard]] Real lowest_potential() const {
-    Real lowest(0);
-    bool first = true;
-    for (std::uint32_t i = 0; i < world_.balls.size(); ++i) {
-      if (detail::infinite(world_.details[i].mass)) continue;
-      W p(Real(0));
-      const auto x = unwrapped(world_, i, world_.balls[i].position);
-      for (int k = 0; k < D; ++k) p = p - x[k] * W(world_.acceleration[k]);
-      if (first || narrow(p) < lowest) lowest = narrow(p);
-      first = false;
-    }
-    return lowest * narrow(start_.mass);
-  }
-
   [[nodiscard]] EnergyBalance energy(const Totals<Real, D>& now) const {
     const EnergyBooks<Real>& books = engine_.books();
     const W initial = start_.kinetic + start_.potential, final = now.kinetic + now.potential;
     const Real error = narrow(W((final - initial) + (books.dissipated - books.injected)));
-    // kinetic + potential + dissipated = initial + injected at every moment: largest where injected is.
-    const Real largest = narrow(W(initial - W(lowest_potential_))) + 2 * books.largest_injected;
+    // kinetic + potential + dissipated = initial + injected at every moment, so it is largest where injected is. Potential counts
+    // from the lowest place that a ball was seen at.
+    W lowest(Real(0));
+    if (world_.accelerated() && start_.mass > W(Real(0))) lowest = start_.mass * W(books.lowest_potential);
+    const Real largest = narrow(W(initial - lowest)) + 2 * books.largest_injected;
     const int unit = world_.units.energy();
     return {user(narrow(initial), unit), user(narrow(final), unit), user(narrow(books.dissipated), unit),
             user(narrow(books.injected), unit), ratio(error, largest)};
@@ -212,9 +291,9 @@ class ComposedEngine final : public Simulation::Engine {
   EventDriven<M, Search, Queue> engine_;
   Time<Real> reached_;
   Totals<Real, D> start_;
-  Real lowest_potential_ = Real(0);
   bool conserved_momentum_ = false;
   Stop stop_ = Stop::until;
+  std::uint64_t scene_print_ = 0;
 };
 
 }  // namespace carom

@@ -35,6 +35,8 @@ class Simulation::Engine {
   [[nodiscard]] virtual std::string wall_label(std::uint32_t wall) const = 0;
   [[nodiscard]] virtual Units units() const = 0;
   [[nodiscard]] virtual Audit audit(AuditBy by) const = 0;
+  [[nodiscard]] virtual std::string state() const = 0;
+  virtual void restore(std::string_view state) = 0;
 
   [[nodiscard]] const Composition& composition() const noexcept { return composition_; }
 

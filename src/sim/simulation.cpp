@@ -54,4 +54,7 @@ double Simulation::epoch_length() const { return engine_->units().epoch_length()
 const Composition& Simulation::composition() const { return engine_->composition(); }
 Audit Simulation::audit(AuditBy by) const { return engine_->audit(by); }
 
+std::string Simulation::state() const { return engine_->state(); }
+void Simulation::restore(std::string_view state) { engine_->restore(state); }
+
 }  // namespace carom

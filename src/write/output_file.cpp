@@ -43,7 +43,8 @@ void OutputFile::end_line() {
 void OutputFile::flush() {
   // What a failed write may have left half on the disk is not followed by anything.
   errno = 0;
-  if (!failed() && std::fwrite(buffer_.data(), 1, buffer_.size(), file_) != buffer_.size()) error_ = errno != 0 ? errno : EIO;
+  if (!failed() && std::fwrite(buffer_.data(), 1, buffer_.size(), file_) != buffer_.size())
+    error_ = errno != 0 ? errno : EIO;
   buffer_.clear();
 }
 

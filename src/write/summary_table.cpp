@@ -22,7 +22,9 @@ std::string vector_text(const std::vector<double>& components) {
   return text + ")";
 }
 
-std::string plural(std::int64_t n, const char* one, const char* many) { return fmt::format("{} {}", n, n == 1 ? one : many); }
+std::string plural(std::int64_t n, const char* one, const char* many) {
+  return fmt::format("{} {}", n, n == 1 ? one : many);
+}
 
 /// One unit in the last place of |x|.
 double ulp(double x) {
@@ -68,8 +70,9 @@ void add_energy(Table& table, const EnergyBalance& e) {
   if (e.dissipated != 0 || e.injected != 0)
     table.row("", fmt::format("{} dissipated, {} injected", number(e.dissipated), number(e.injected)));
   const double error = energy_error(e);
-  const std::string ulps =
-      e.initial != 0 && std::isfinite(e.initial) ? fmt::format(", {} ulp of the initial energy", size(error / ulp(e.initial))) : "";
+  const std::string ulps = e.initial != 0 && std::isfinite(e.initial)
+                               ? fmt::format(", {} ulp of the initial energy", size(error / ulp(e.initial)))
+                               : "";
   table.row("energy error", fmt::format("{}{}; relative {}", size(error), ulps, size(e.relative_error)));
 }
 

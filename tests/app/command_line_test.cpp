@@ -11,8 +11,8 @@ namespace {
 using testing::ElementsAre;
 
 TEST(CommandLine, reads_every_option_of_run) {
-  const Command c = parse({"run", "--set", "a=1", "a.toml", "--set", "ball.0.velocity=[1,0]", "--until", "1/3", "--events", "7",
-                           "--out", "d", "--json", "--final", "--quiet"});
+  const Command c = parse({"run", "--set", "a=1", "a.toml", "--set", "ball.0.velocity=[1,0]", "--until", "1/3", "--events",
+                           "7", "--out", "d", "--json", "--final", "--quiet"});
   const auto& run = std::get<RunOptions>(c);
   EXPECT_EQ(run.scene.file, "a.toml");
   EXPECT_THAT(run.scene.set, ElementsAre("a=1", "ball.0.velocity=[1,0]"));

@@ -16,8 +16,9 @@ using test::Folder;
 
 /// Starts an endless run, waits until its log has grown, sends the signal.
 test::Outcome interrupted(const Folder& folder, int signal) {
-  folder.write("a.toml", test::head_on(2, "events = 1_000_000_000_000\nsample_every = 1000\n[output]\nevents = \"e.csv\"\n"
-                                          "trajectory = \"t.csv\"\n"));
+  folder.write("a.toml", test::head_on(2,
+                                       "events = 1_000_000_000_000\nsample_every = 1000\n[output]\nevents = \"e.csv\"\n"
+                                       "trajectory = \"t.csv\"\n"));
   test::Program program(folder, {"run", "a.toml", "--json", "--final", "--until", "1e12"});
   const auto grown = [&] {
     std::error_code error;

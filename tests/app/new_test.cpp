@@ -53,6 +53,12 @@ TEST(New, writes_a_scene_that_runs) {
   EXPECT_EQ(carom(folder, {"run", "mine.toml", "--events", "1"}).status, 0);
 }
 
+TEST(New, has_the_scene_that_the_help_names) {
+  const Folder folder;
+  EXPECT_THAT(carom(folder, {"--help"}).out, HasSubstr("carom new break_shot"));
+  EXPECT_EQ(carom(folder, {"new", "break_shot"}).status, 0);
+}
+
 TEST(New, overwrites_nothing) {
   const Folder folder;
   const std::string name(gallery().front().name);

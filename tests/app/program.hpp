@@ -32,7 +32,8 @@ class Program {
     const std::string start = folder.path().string();
     process_ = fork();
     if (process_ == 0) {
-      const bool ready = chdir(start.c_str()) == 0 && redirect(out_file, STDOUT_FILENO) && redirect(err_file, STDERR_FILENO);
+      const bool ready =
+          chdir(start.c_str()) == 0 && redirect(out_file, STDOUT_FILENO) && redirect(err_file, STDERR_FILENO);
       if (ready) execv(CAROM_PROGRAM, pointers.data());
       _exit(127);
     }

@@ -39,10 +39,15 @@ TEST(Program, every_command_has_help_with_an_example) {
 TEST(Program, refuses_wrong_command_lines_with_status_2) {
   const Folder folder;
   folder.write("a.toml", test::head_on(2));
-  const std::vector<std::vector<std::string>> wrong{
-      {"rnu", "a.toml"},         {"--bogus"},          {"run"},
-      {"run", "a.toml", "b"},    {"run", "--bogus"},   {"run", "a.toml", "--events"},
-      {"run", "a.toml", "--set", "nothing"}, {"run", "a.toml", "--events", "many"}, {"run", "a.toml", "--until", "soon"}};
+  const std::vector<std::vector<std::string>> wrong{{"rnu", "a.toml"},
+                                                    {"--bogus"},
+                                                    {"run"},
+                                                    {"run", "a.toml", "b"},
+                                                    {"run", "--bogus"},
+                                                    {"run", "a.toml", "--events"},
+                                                    {"run", "a.toml", "--set", "nothing"},
+                                                    {"run", "a.toml", "--events", "many"},
+                                                    {"run", "a.toml", "--until", "soon"}};
   for (const auto& words : wrong) {
     const test::Outcome o = carom(folder, words);
     EXPECT_EQ(o.status, 2) << testing::PrintToString(words);

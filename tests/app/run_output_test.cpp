@@ -40,7 +40,8 @@ TEST(RunOutput, frames_do_not_drift_and_include_the_end) {
   ASSERT_EQ(carom(folder, {"run", "a.toml", "--until", "4.05"}).status, 0);
   const Csv frames(folder.read("t.csv"));
   ASSERT_EQ(frames.rows.size(), 2U * 42U);
-  for (int k = 0; k <= 40; ++k) EXPECT_EQ(std::stod(frames.rows[static_cast<std::size_t>(2 * k)].at("time")), k / 10.0) << k;
+  for (int k = 0; k <= 40; ++k)
+    EXPECT_EQ(std::stod(frames.rows[static_cast<std::size_t>(2 * k)].at("time")), k / 10.0) << k;
   EXPECT_EQ(frames.rows.back().at("time"), "4.05");
 }
 
@@ -50,7 +51,8 @@ TEST(RunOutput, sampling_changes_no_event) {
   folder.write("a.toml", lively);
   ASSERT_EQ(carom(folder, {"run", "a.toml", "--events", "3000", "--set", "run.until=1e9"}).status, 0);
   const std::string plain = folder.read("e.csv");
-  ASSERT_EQ(carom(folder, {"run", "a.toml", "--events", "3000", "--set", "run.until=1e9", "--set", "run.sample_every=0.37"}).status,
+  ASSERT_EQ(carom(folder, {"run", "a.toml", "--events", "3000", "--set", "run.until=1e9", "--set", "run.sample_every=0.37"})
+                .status,
             0);
   EXPECT_EQ(folder.read("e.csv"), plain);
   EXPECT_GT(Csv(folder.read("t.csv")).rows.size(), 3000U);

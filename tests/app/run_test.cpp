@@ -53,22 +53,24 @@ TEST(Run, prints_a_table_for_people) {
   const test::Outcome o = carom(folder, {"run", "a.toml"});
   EXPECT_EQ(o.status, 0);
   EXPECT_EQ(o.err, "");
-  EXPECT_THAT(o.out, testing::AllOf(HasSubstr("Head-on"), HasSubstr("left"), HasSubstr("0 ulp"),
-                                    testing::Not(HasSubstr("\x1b"))));
+  EXPECT_THAT(o.out,
+              testing::AllOf(HasSubstr("Head-on"), HasSubstr("left"), HasSubstr("0 ulp"), testing::Not(HasSubstr("\x1b"))));
   EXPECT_EQ(carom(folder, {"run", "a.toml", "--quiet"}).out, "");
 }
 
 TEST(Run, takes_overrides) {
   const Folder folder;
   folder.write("a.toml", test::head_on(2));
-  EXPECT_EQ(json_of(folder, {"run", "a.toml", "--until", "5"})["events"]["ball_wall"], 2) << "events at the end are included";
+  EXPECT_EQ(json_of(folder, {"run", "a.toml", "--until", "5"})["events"]["ball_wall"], 2)
+      << "events at the end are included";
   EXPECT_EQ(json_of(folder, {"run", "a.toml", "--until", "14/3"})["time"], 14.0 / 3.0);
   const Json two = json_of(folder, {"run", "a.toml", "--events", "2"});
   EXPECT_EQ(two["stopped_by"], "events");
   EXPECT_EQ(two["events"]["ball_wall"], 1) << "also between two simultaneous ones";
   EXPECT_EQ(two["time"], 5.0);
-  EXPECT_EQ(json_of(folder, {"run", "a.toml", "--set", "ball.0.velocity=[0,0]", "--set", "ball.0.mass=3"})["energy"]["initial"],
-            0.5);
+  EXPECT_EQ(
+      json_of(folder, {"run", "a.toml", "--set", "ball.0.velocity=[0,0]", "--set", "ball.0.mass=3"})["energy"]["initial"],
+      0.5);
   EXPECT_EQ(json_of(folder, {"run", "--set", "collision.restitution=0", "a.toml"})["energy"]["dissipated"], 1.0);
 }
 

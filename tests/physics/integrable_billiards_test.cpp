@@ -54,13 +54,13 @@ TEST(CircleBilliard, whispering_gallery) {
     const double flight = result.log.back().time - result.log.front().time;
     EXPECT_NEAR(flight / (2 * std::sin(alpha) * double(hits - 1)), 1.0, 10 * known / alpha) << "alpha " << alpha;
     EXPECT_EQ(result.summary.exactness.clamped, 0);
-    EXPECT_LE(result.summary.exactness.max_gap_error, 1e-14);
+    EXPECT_LE(result.summary.exactness.max_gap_error, 2e-16 * std::sqrt(double(hits)) + 1e-15);
     EXPECT_LE(result.summary.energy.relative_error, 1e-13);
   }
 }
 
-// Exactly along the wall there is no chord: whatever the engine makes of it, it comes back and leaves the energy alone.
-TEST(CircleBilliard, motion_along_the_wall_comes_to_an_end) {
+// Exactly along the wall there is no chord: the ball presses against the wall for ever, and that is said.
+TEST(CircleBilliard, motion_along_the_wall_is_named) {
   Scene scene = open_space(2);
   scene.walls.push_back(circle({0.0, 0.0}, 1.0, WallSide::inside));
   scene.balls.push_back(ball({1.0, 0.0}, {0.0, 1.0}, 0.0));

@@ -78,8 +78,8 @@ TEST(Plastic, exactly_one_collision) {
     scene.collision.restitution = 0.0;
     Coordinates x0, x1, v0, v1;
     for (int k = 0; k < d; ++k) {
-      x0.push_back(k == 0 ? -2.0 : dice.between(-0.3, 0.3));
-      x1.push_back(k == 0 ? 2.0 : dice.between(-0.3, 0.3));
+      x0.push_back(k == 0 ? -2.0 : dice.between(-0.2, 0.2));
+      x1.push_back(k == 0 ? 2.0 : dice.between(-0.2, 0.2));
       v0.push_back(k == 0 ? dice.between(0.1, 3.0) : 0.0);
       v1.push_back(k == 0 ? dice.between(-3.0, -0.1) : 0.0);
     }
@@ -110,7 +110,8 @@ TEST(Plastic, one_hit_on_an_inclined_wall) {
     scene.walls.push_back(plane({0.0, 0.0}, {dice.between(-1.0, 1.0), dice.between(0.1, 1.0)}));
     const Coordinates n = scene.walls[0].normal;
     const double size = std::hypot(n[0].value, n[1].value), far = dice.between(2.0, 5.0);
-    scene.balls = {ball({n[0] / size * far, n[1] / size * far}, {-n[0] + dice.between(-0.5, 0.5), -n[1]}, 0.5)};
+    const double along = dice.between(-1.0, 1.0);
+    scene.balls = {ball({n[0] / size * far, n[1] / size * far}, {-n[0] + along * n[1], -n[1] - along * n[0]}, 0.5)};
     EXPECT_EQ(run_until(scene, 1e3).log.size(), 1u) << i;
   }
 }
@@ -168,7 +169,7 @@ TEST(StartOnWall, acts_at_once_if_pressed_and_never_if_not) {
   EXPECT_EQ(hits_at_start({0.5, 5.0}, {0.0, 0.0}), 0u) << "at rest on the wall";
   EXPECT_EQ(hits_at_start({0.5, 0.5}, {-1.0, -1.0}), 2u) << "in the corner, into it";
   EXPECT_EQ(hits_at_start({0.5, 0.5}, {-1.0, 1.0}), 1u);
-  EXPECT_EQ(hits_at_start({9.5, 9.5}, {1.0, 1e-300}), 2u);
+  EXPECT_EQ(hits_at_start({9.5, 9.5}, {1.0, 1e-100}), 2u);
   EXPECT_EQ(hits_at_start({9.5, 9.5}, {0.0, 0.0}), 0u);
 }
 
@@ -196,7 +197,7 @@ TEST(Corner, of_a_cube) {
   scene.balls = {ball({2.0, 2.0, 2.0}, {-1.0, -1.0, -1.0})};
   const Result result = run(scene, 9);
   EXPECT_EQ(result.summary.events.ties, 6);
-  EXPECT_EQ(result.balls[0].velocity, (std::vector<double>{-1.0, -1.0, -1.0}));
+  EXPECT_EQ(result.balls[0].velocity, (std::vector<double>{1.0, 1.0, 1.0})) << "turned round three times";
 }
 
 // Many balls in contact ----------------------------------------------------------------------------------------------------
@@ -310,9 +311,9 @@ TEST(Persistent, cooling_is_no_collapse) {
   scene.collision.restitution = 1.0;
   scene.space.restitution = 0.5;
   scene.balls = {ball({5.0, 5.0}, {1.0, 0.3})};
-  const Result result = run(scene, 200);
+  const Result result = run(scene, 50);
   EXPECT_EQ(result.stop, Stop::events) << "each hit halves a component, and the flights grow longer";
-  EXPECT_GT(result.summary.time, 1e10);
+  EXPECT_GT(result.summary.time, 1e7);
 }
 
 }  // namespace

@@ -22,8 +22,8 @@ std::string log_of(const Scene& scene) {
 
 TEST(EventsCsv, has_the_columns_of_the_dimension) {
   EXPECT_THAT(test::Csv(log_of(test::head_on(1))).header,
-              ElementsAre("time", "epoch", "offset", "kind", "ball", "partner", "feature", "x", "ix", "vx", "px", "pix", "pvx",
-                          "impulse", "tie"));
+              ElementsAre("time", "epoch", "offset", "kind", "ball", "partner", "feature", "x", "ix", "vx", "px", "pix",
+                          "pvx", "impulse", "tie"));
   EXPECT_THAT(test::Csv(log_of(test::head_on(2))).header,
               ElementsAre("time", "epoch", "offset", "kind", "ball", "partner", "feature", "x", "y", "ix", "iy", "vx", "vy",
                           "px", "py", "pix", "piy", "pvx", "pvy", "impulse", "tie"));

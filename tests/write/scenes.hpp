@@ -5,8 +5,9 @@
 
 namespace carom::test {
 
-/// Two elastic balls of radius 1/2 in a box [0, 10]^D. Along x they start at 3.5 and 6.5 with velocities 1 and -1: their gap
-/// 2 - 2 t closes at t = 1, at x = 4.5 and 5.5; equal masses swap velocities, and at t = 5 they touch the faces at 0.5 and 9.5.
+/// Two elastic balls of radius 1/2 in a box [0, 10]^D. Along x they start at 3.5 and 6.5 with velocities 1 and -1: their
+/// gap 2 - 2 t closes at t = 1, at x = 4.5 and 5.5; equal masses swap velocities, and at t = 5 they touch the faces at 0.5
+/// and 9.5.
 inline Scene head_on(int dimension) {
   Scene scene;
   scene.title = "Head-on";

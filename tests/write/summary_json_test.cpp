@@ -35,15 +35,15 @@ Json json_of(const RunReport& report) { return Json::parse(summary_json(report))
 
 TEST(SummaryJson, has_the_keys_of_the_interface_in_order) {
   const Json j = json_of(report_of(test::head_on(2)));
-  EXPECT_THAT(keys(j), ElementsAre("title", "dimension", "balls", "composition", "precision", "seed", "epoch_length", "time",
-                                   "stopped_by", "events", "energy", "momentum", "angular_momentum", "exactness", "observed",
-                                   "final", "seconds", "collisions_per_second", "peak_memory_mb"));
+  EXPECT_THAT(keys(j), ElementsAre("title", "dimension", "balls", "composition", "precision", "seed", "epoch_length",
+                                   "time", "stopped_by", "events", "energy", "momentum", "angular_momentum", "exactness",
+                                   "observed", "final", "seconds", "collisions_per_second", "peak_memory_mb"));
   EXPECT_THAT(keys(j["events"]), ElementsAre("ball_ball", "ball_wall", "other", "ties"));
   EXPECT_THAT(keys(j["energy"]), ElementsAre("initial", "final", "dissipated", "injected", "relative_error"));
   EXPECT_THAT(keys(j["momentum"]), ElementsAre("initial", "final", "relative_error"));
   EXPECT_THAT(keys(j["angular_momentum"]), ElementsAre("initial", "final", "relative_error"));
-  EXPECT_THAT(keys(j["exactness"]), ElementsAre("max_gap_error", "max_gap_error_relative", "clamped", "unresolved", "singular",
-                                                "repredicted"));
+  EXPECT_THAT(keys(j["exactness"]),
+              ElementsAre("max_gap_error", "max_gap_error_relative", "clamped", "unresolved", "singular", "repredicted"));
   EXPECT_THAT(keys(j["final"][0]), ElementsAre("index", "name", "position", "image", "unwrapped_position", "velocity"));
 }
 

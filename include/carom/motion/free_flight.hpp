@@ -16,6 +16,11 @@ struct FreeFlight {
 
   [[nodiscard]] Vector position(const Vector& x, const Vector& v, bool, const Real& s) const { return x + v * s; }
   [[nodiscard]] Vector velocity(const Vector& v, bool, const Real&) const { return v; }
+  /// What is stored when the motion changes: for free flight nothing more than `position`.
+  [[nodiscard]] Vector stored_position(const Vector& x, const Vector& v, bool fixed, const Real& s) const {
+    return position(x, v, fixed, s);
+  }
+  [[nodiscard]] Vector stored_velocity(const Vector& v, bool, const Real&) const { return v; }
   [[nodiscard]] Vector acceleration(bool) const { return Vector::Zero(); }
 };
 

@@ -24,6 +24,23 @@ struct UniformAcceleration {
     if (fixed) return v;
     return v + a * s;
   }
+  /// What is stored when the motion changes: each component rounded once, so that the sum of kinetic and potential energy has
+  /// no bias from flight to flight.
+  [[nodiscard]] Vector stored_position(const Vector& x, const Vector& v, bool fixed, const Real& s) const {
+    if (fixed) return x;
+    using W = Wide<Real>;
+    const W half_square = wide_product<Real>(s, s) * W(Real(1) / 2);
+    Vector there;
+    for (int k = 0; k < Dimension; ++k)
+      there[k] = narrow(W(W(x[k]) + (wide_product<Real>(v[k], s) + W(a[k]) * half_square)));
+    return there;
+  }
+  [[nodiscard]] Vector stored_velocity(const Vector& v, bool fixed, const Real& s) const {
+    if (fixed) return v;
+    Vector then;
+    for (int k = 0; k < Dimension; ++k) then[k] = narrow(Wide<Real>(Wide<Real>(v[k]) + wide_product<Real>(a[k], s)));
+    return then;
+  }
   [[nodiscard]] Vector acceleration(bool fixed) const { return fixed ? Vector(Vector::Zero()) : a; }
 };
 

@@ -169,7 +169,8 @@ template <Motion M>
   for (const int side : {home, -home}) {
     const Approach<Real> approach{side * height, side * rate, side * half};
     Real t = never<Real>();
-    if (touch != Touch::none && side == home) {
+    if (touch != Touch::none && side != home) break;  // one parabola from the wall does not come back to its other side
+    if (touch != Touch::none) {
       if (touch == Touch::live && approach.rate < 0) return {Real(0), static_cast<std::int8_t>(side)};
       t = next_fall(approach.rate, approach.half);
     } else {

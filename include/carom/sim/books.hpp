@@ -2,6 +2,7 @@
 // What a run counts and books as it goes.
 
 #include <cstdint>
+#include <limits>
 
 #include "carom/core/double_double.hpp"
 
@@ -32,7 +33,8 @@ template <class Real>
 struct EnergyBooks {
   Wide<Real> dissipated{Real(0)};
   Wide<Real> injected{Real(0)};
-  Real largest_injected = Real(0);  ///< largest value of |injected| + injected reached
+  Real largest_injected = Real(0);  ///< largest value that injected has reached
+  Real lowest_potential = std::numeric_limits<Real>::infinity();  ///< per mass, of all states written; accelerated motion only
 };
 
 }  // namespace carom

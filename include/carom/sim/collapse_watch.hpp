@@ -18,6 +18,16 @@ namespace carom {
 template <class Real>
 class CollapseWatch {
  public:
+  static constexpr std::uint32_t none = ~std::uint32_t{0};
+
+  struct Streak {
+    std::array<std::uint32_t, 4> recent{none, none, none, none};
+    std::uint32_t count = 0;
+    std::uint32_t instant = 0;
+    Time<Real> last, block_start;
+    Real duration = Real(0);
+  };
+
   static constexpr std::uint32_t block = 16;
   static constexpr std::uint32_t instant_limit = 4096;
 
@@ -56,16 +66,11 @@ class CollapseWatch {
     return after(now, Real(duration * q / (1 - q))) == now;
   }
 
- private:
-  static constexpr std::uint32_t none = ~std::uint32_t{0};
+  /// By ball; empty if nothing is watched. For checkpoints.
+  [[nodiscard]] std::vector<Streak>& streaks() noexcept { return streaks_; }
+  [[nodiscard]] const std::vector<Streak>& streaks() const noexcept { return streaks_; }
 
-  struct Streak {
-    std::array<std::uint32_t, 4> recent{none, none, none, none};
-    std::uint32_t count = 0;
-    std::uint32_t instant = 0;
-    Time<Real> last, block_start;
-    Real duration = Real(0);
-  };
+ private:
   std::vector<Streak> streaks_;
 };
 

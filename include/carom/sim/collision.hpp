@@ -38,6 +38,7 @@ class Collider {
   std::vector<std::uint32_t> reason_balls;  ///< whom it concerns
 
   void reset(const WorldType& world) {
+    for (std::uint32_t i = 0; i < world.balls.size(); ++i) note_potential(world, i);
     if (world.restitution.any_below_one()) watch.reset(world.balls.size());
   }
 
@@ -84,14 +85,20 @@ class Collider {
     if (world.law == LawKind::restitution) {
       outcome = resolve_impact(impact);
       const Turns<D> image_a = a.image, image_b = b.image;
+      note_sides(world, i);
       write_motion(world, motion, i, xa, outcome.va, now, moved_);
+      keep_sides(world, i);
+      note_sides(world, j);
       write_motion(world, motion, j, xb, outcome.vb, now, moved_);
+      keep_sides(world, j);
       hold_pair(world, i, j, event.image, image_a, image_b);
     } else {
       outcome = unite(world, motion, event, impact, xa, xb);
     }
 
     ++counts.ball_ball;
+    note_potential(world, i);
+    note_potential(world, j);
     counts.ties += tie;
     book(outcome);
     remember(a, now, Party::ball, j, 0);
@@ -110,7 +117,7 @@ class Collider {
     if (world.law == LawKind::merge) return check_fit(world, i, now);
     if (world.law == LawKind::stick) return Verdict::go_on;
     if (outcome.impulse == 0 && before_a == now && before_b == now && !tie)
-      return stop(Verdict::collapse, "a ball rests against another, in contact for ever", {i, j});
+      return stop(Verdict::collapse, impact.e < 1 ? collapse_reason() : "a ball rests against another: the contact never ends", {i, j});
     return watch_streak(impact.e, now, {i, j});
   }
 
@@ -140,13 +147,14 @@ class Collider {
     const Outcome<Real, D> outcome = resolve_impact(impact);
     const bool tie = is_tie(a, now, Party::wall, event.partner, event.feature);
     const Time<Real> before = a.last_hit;
-    const Ball<Real, D> flown = world.balls[i];
+    note_sides(world, i);
     write_motion(world, motion, i, x, outcome.va, now, moved_);
     hold_contact(world, i,
                  Contact<D>{Party::wall, event.partner, event.feature, {}, event.side, true, world.balls[i].stamp, 0});
-    keep_sides(world, i, flown);
+    keep_sides(world, i);
 
     ++counts.ball_wall;
+    note_potential(world, i);
     counts.ties += tie;
     book(outcome);
     remember(a, now, Party::wall, event.partner, event.feature);
@@ -160,7 +168,7 @@ class Collider {
     }
     if (!finite(outcome.va)) return stop(Verdict::non_finite, "a velocity is no longer a finite number", {i});
     if (outcome.impulse == 0 && before == now && !tie)
-      return stop(Verdict::collapse, "a ball is pressed against a wall, in contact for ever", {i});
+      return stop(Verdict::collapse, impact.e < 1 ? collapse_reason() : "a ball is pressed against a wall: the contact never ends", {i});
     return watch_streak(impact.e, now, {i});
   }
 
@@ -188,7 +196,7 @@ class Collider {
     if (world.space.periodic())
       for (int k = 0; k < D; ++k) beside[k] += Real(event.image[k]) * world.space.edge[k];
     if (world.law == LawKind::stick) {
-      join_bodies(world, motion, i, xa, j, beside, common.velocity, event.time, moved_);
+      join_bodies(world, motion, i, xa, j, beside, event.image, common.velocity, event.time, moved_);
     } else {
       if (detail::infinite(impact.ma)) absorb(world, outcome, impact.mb, j, impact.vb, xb);
       if (detail::infinite(impact.mb)) absorb(world, outcome, impact.ma, i, impact.va, xa);
@@ -232,22 +240,31 @@ class Collider {
     return collapse ? stop(Verdict::collapse, collapse_reason(), cluster(balls)) : Verdict::go_on;
   }
 
-  /// A point stored next to a segment that it did not hit may have been rounded across it. It holds the side that it flew
-  /// on: it touches that segment, and hits it if it closes.
-  void keep_sides(WorldType& world, std::uint32_t i, const Ball<Real, D>& flown) {
+  /// A point stored next to a segment that it did not hit may have been rounded across it. It holds the side that it flew on: it
+  /// touches that segment, and hits it if it closes. Called before its state is written ...
+  void note_sides(const WorldType& world, std::uint32_t i) {
     if constexpr (D == 2) {
-      if (flown.radius > 0) return;
+      sides_.clear();
       const Ball<Real, D>& ball = world.balls[i];
+      if (ball.radius > 0) return;
       for (const Segment<Real>& s : world.walls.segments) {
         const Contact<D>* held = wall_contact(world, i, index(s.wall), s.feature);
-        if (held != nullptr) continue;
-        const Real before = s.height(Vector(flown.position - drift(world, s, flown.time)));
+        const Real height = s.height(Vector(ball.position - drift(world, s, ball.time)));
+        sides_.push_back(held != nullptr ? held->side : std::int8_t(height > 0 ? 1 : height < 0 ? -1 : 0));
+      }
+    }
+  }
+  /// ... and after it.
+  void keep_sides(WorldType& world, std::uint32_t i) {
+    if constexpr (D == 2) {
+      const Ball<Real, D>& ball = world.balls[i];
+      for (std::size_t k = 0; k < sides_.size(); ++k) {
+        const Segment<Real>& s = world.walls.segments[k];
         const Vector at = ball.position - drift(world, s, ball.time);
-        const Real height = s.height(at);
-        if (before == 0 || height * before > 0) continue;
+        if (sides_[k] == 0 || sides_[k] * s.height(at) > 0) continue;
         if (dot<Real, D>(s.along, at - s.from) < 0 || dot<Real, D>(s.along, at - s.to) > 0) continue;
-        hold_contact(world, i,
-                     Contact<D>{Party::wall, index(s.wall), s.feature, {}, std::int8_t(before > 0 ? 1 : -1), false, 0, 0});
+        if (wall_contact(world, i, index(s.wall), s.feature) != nullptr) continue;
+        hold_contact(world, i, Contact<D>{Party::wall, index(s.wall), s.feature, {}, sides_[k], false, 0, 0});
       }
     }
   }
@@ -312,6 +329,17 @@ class Collider {
     return gap;
   }
 
+  /// The lowest potential (per mass) at which a ball of finite mass was seen.
+  void note_potential(const WorldType& world, std::uint32_t i) {
+    if constexpr (M::accelerated) {
+      if (detail::infinite(world.details[i].mass)) return;
+      const auto x = unwrapped(world, i, world.balls[i].position);
+      W p(Real(0));
+      for (int k = 0; k < D; ++k) p = p - x[k] * W(world.acceleration[k]);
+      if (narrow(p) < books.lowest_potential) books.lowest_potential = narrow(p);
+    }
+  }
+
   void book(const Outcome<Real, D>& outcome) {
     using std::abs;
     books.dissipated = books.dissipated + outcome.dissipated;
@@ -374,6 +402,7 @@ class Collider {
   }
 
   std::vector<std::uint32_t> moved_;
+  std::vector<std::int8_t> sides_;  // of a point, by segment
 };
 
 }  // namespace carom

@@ -67,6 +67,12 @@ class EventDriven {
     }
   }
 
+  /// Goes on from a world, books and counts that were put back as they were at `now`, the moment of the last collision.
+  void resume(const Time<Real>& now) {
+    now_ = crossed_ = now;
+    predict_all();
+  }
+
   /// Moment of the last event, or of the start.
   [[nodiscard]] const Time<Real>& now() const noexcept { return now_; }
   [[nodiscard]] const M& motion() const noexcept { return motion_; }
@@ -74,6 +80,7 @@ class EventDriven {
   [[nodiscard]] const Exactness<Real>& exactness() const noexcept { return collider_.exactness; }
   [[nodiscard]] const EnergyBooks<Real>& books() const noexcept { return collider_.books; }
   [[nodiscard]] const Collider<M>& collider() const noexcept { return collider_; }
+  [[nodiscard]] Collider<M>& collider() noexcept { return collider_; }
 
  private:
   void predict_all() {

@@ -1,6 +1,7 @@
 #pragma once
 // Bodies that go on together: law "stick" joins them, law "merge" makes one ball of two.
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -10,65 +11,56 @@
 
 namespace carom {
 
-/// Makes one body of those of balls i and j, which are at xi and xj (its image; neither wrapped anew) at time t and move on
+/// Makes one body of those of balls i and j, which are at xi and xj (its image `image`; neither wrapped anew) at time t and move on
 /// with velocity v. Appends the numbers of all balls written to `written`.
 template <Motion M>
-void join_bodies(World<typename M::Real, M::dimension>& world, const M& motion, std::uint32_t i,
-                 const typename M::Vector& xi, std::uint32_t j, const typename M::Vector& xj, const typename M::Vector& v,
+void join_bodies(World<typename M::Real, M::dimension>& world, const M& motion, std::uint32_t i, const typename M::Vector& xi,
+                 std::uint32_t j, const typename M::Vector& xj, const Image<M::dimension>& image, const typename M::Vector& v,
                  const Time<typename M::Real>& t, std::vector<std::uint32_t>& written) {
   using Real = typename M::Real;
   constexpr int D = M::dimension;
   using Vector = typename M::Vector;
-  const auto alone = [&](std::uint32_t k, const Vector& x) {
-    Body<Real, D> body;
-    body.mass = world.details[k].mass;
-    body.position = x;
-    body.image = world.details[k].image;
-    body.members = {k};
-    body.offsets = {Vector::Zero()};
-    return body;
-  };
-  const auto body_of = [&](std::uint32_t k, const Vector& x) {
+  const auto body_at = [&](std::uint32_t k, const Vector& x) {
     const std::int32_t b = world.details[k].body;
-    if (b < 0) return alone(k, x);
+    if (b < 0) return Body<Real, D>{world.details[k].mass, x, world.details[k].image, {k}, {Vector::Zero()}, {Turns<D>{}}};
     Body<Real, D> body = world.bodies[static_cast<std::size_t>(b)];
     const Ball<Real, D>& ball = world.balls[k];
-    if (ball.time != t) body.position = motion.position(body.position, ball.velocity, ball.fixed, elapsed(ball.time, t));
+    if (ball.time != t) body.position = motion.stored_position(body.position, ball.velocity, ball.fixed, elapsed(ball.time, t));
     return body;
   };
-  const auto offset_of = [](const Body<Real, D>& body, std::uint32_t k) {
-    std::size_t m = 0;
-    while (body.members[m] != k) ++m;
-    return body.offsets[m];
+  const auto place_of = [](const Body<Real, D>& body, std::uint32_t k) {
+    return static_cast<std::size_t>(std::find(body.members.begin(), body.members.end(), k) - body.members.begin());
   };
-  Body<Real, D> a = body_of(i, xi);
-  const Body<Real, D> b = body_of(j, xj);
+  Body<Real, D> a = body_at(i, xi);
+  const Body<Real, D> b = body_at(j, xj);
+  const std::size_t mi = place_of(a, i), mj = place_of(b, j);
   const bool fixed = world.balls[i].fixed || world.balls[j].fixed;
-  const Vector shift = offset_of(a, i) + (xj - xi) - offset_of(b, j);
+  // A member of b keeps its own count of periods: what joining it at an image adds to its place is taken out of its shift.
+  const Vector apart = a.offsets[mi] + (xj - xi) - b.offsets[mj];
+  Turns<D> turned;
+  for (int k = 0; k < D; ++k)
+    turned[k] = a.shifts[mi][k] - b.shifts[mj][k] + world.details[j].image[k] - world.details[i].image[k] - image[k];
   for (std::size_t m = 0; m < b.members.size(); ++m) {
     a.members.push_back(b.members[m]);
-    a.offsets.push_back(shift + b.offsets[m]);
+    a.offsets.push_back(apart + b.offsets[m]);
+    a.shifts.push_back(b.shifts[m]);
+    for (int k = 0; k < D; ++k) a.shifts.back()[k] += turned[k];
   }
   a.mass = a.mass + b.mass;
+
   const std::int32_t kept = world.details[i].body, left = world.details[j].body;
+  if (kept >= 0 && left >= 0) world.bodies[static_cast<std::size_t>(left)] = Body<Real, D>{};
   std::int32_t row = kept >= 0 ? kept : left;
   if (row < 0) {
     row = static_cast<std::int32_t>(world.bodies.size());
     world.bodies.emplace_back();
   }
-  if (kept >= 0 && left >= 0 && kept != left) world.bodies[static_cast<std::size_t>(left)] = Body<Real, D>{};
   for (const std::uint32_t m : a.members) {
     world.details[m].body = row;
     world.balls[m].fixed = fixed;
   }
-  const Turns<D> turns = wrap(world.space, a.position);
-  for (int k = 0; k < D; ++k) a.image[k] += turns[k];
-  Body<Real, D>& body = world.bodies[static_cast<std::size_t>(row)];
-  body = std::move(a);
-  for (std::size_t m = 0; m < body.members.size(); ++m) {
-    write_state(world, body.members[m], Vector(body.position + body.offsets[m]), body.image, v, t);
-    written.push_back(body.members[m]);
-  }
+  world.bodies[static_cast<std::size_t>(row)] = std::move(a);
+  write_body(world, world.bodies[static_cast<std::size_t>(row)], v, t, written);
 }
 
 /// Makes one ball of i and j, i < j, which are at xi and xj (its image) at time t: the ball i. Ball j leaves.

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "carom/predict/event.hpp"
@@ -77,6 +78,13 @@ class Simulation {
   [[nodiscard]] const Composition& composition() const;
   /// Overlaps at time(), in the user's unit of length.
   [[nodiscard]] Audit audit(AuditBy by = AuditBy::grid) const;
+
+  /// The whole state as bytes, from which `restore` goes on bit for bit, under any search and queue. The format is
+  /// that of this version and this machine's byte order.
+  [[nodiscard]] std::string state() const;
+  /// Puts back a state saved by a simulation of the same scene. Throws InputError if it is damaged or of another scene or version;
+  /// the simulation is then as it was.
+  void restore(std::string_view state);
 
   class Engine;
 

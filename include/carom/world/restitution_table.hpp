@@ -24,6 +24,12 @@ class RestitutionTable {
     const auto below = [](const Real& e) { return e < 1; };
     return std::any_of(between_.begin(), between_.end(), below) || std::any_of(at_wall_.begin(), at_wall_.end(), below);
   }
+  /// All values, for a fingerprint.
+  [[nodiscard]] std::vector<Real> values() const {
+    std::vector<Real> all = between_;
+    all.insert(all.end(), at_wall_.begin(), at_wall_.end());
+    return all;
+  }
   void set_between(std::uint32_t a, std::uint32_t b, const Real& e) {
     between_[a * materials_ + b] = e;
     between_[b * materials_ + a] = e;

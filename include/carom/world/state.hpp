@@ -12,7 +12,7 @@ template <Motion M>
                                                     std::uint32_t i, const Time<typename M::Real>& t) {
   const auto& b = world.balls[i];
   return b.time == t ? typename M::Vector(b.position)
-                     : motion.position(b.position, b.velocity, b.fixed, elapsed(b.time, t));
+                     : motion.stored_position(b.position, b.velocity, b.fixed, elapsed(b.time, t));
 }
 
 /// Velocity of ball i at `t` >= its stored time.
@@ -20,12 +20,8 @@ template <Motion M>
 [[nodiscard]] inline typename M::Vector velocity_at(const M& motion, const World<typename M::Real, M::dimension>& world,
                                                     std::uint32_t i, const Time<typename M::Real>& t) {
   const auto& b = world.balls[i];
-  return b.time == t ? typename M::Vector(b.velocity) : motion.velocity(b.velocity, b.fixed, elapsed(b.time, t));
+  return b.time == t ? typename M::Vector(b.velocity) : motion.stored_velocity(b.velocity, b.fixed, elapsed(b.time, t));
 }
-
-/// Counts of periods, one an axis.
-template <int D>
-using Turns = std::array<std::int64_t, static_cast<std::size_t>(D)>;
 
 /// Wraps x into the cell of a periodic space, [lower, lower + edge), and gives the periods taken out.
 template <class Real, int D>
@@ -70,30 +66,37 @@ inline void write_state(World<Real, D>& world, std::uint32_t i, const Vec<Real, 
   ++ball.stamp;
 }
 
-/// The motion of the body of ball i changes: ball i is at x (not wrapped anew) with velocity v at time t, and so are its
-/// fellows, each at its constant offset. Appends the numbers of all balls written to `written`.
+/// The members of a body whose position is that at time t, and which moves on with velocity v, are written.
+template <class Real, int D>
+inline void write_body(World<Real, D>& world, Body<Real, D>& body, const Vec<Real, D>& v, const Time<Real>& t,
+                       std::vector<std::uint32_t>& written) {
+  const Turns<D> turns = wrap(world.space, body.position);
+  for (int k = 0; k < D; ++k) body.image[k] += turns[k];
+  for (std::size_t m = 0; m < body.members.size(); ++m) {
+    Turns<D> image = body.image;
+    for (int k = 0; k < D; ++k) image[k] += body.shifts[m][k];
+    write_state(world, body.members[m], Vec<Real, D>(body.position + body.offsets[m]), image, v, t);
+    written.push_back(body.members[m]);
+  }
+}
+
+/// The motion of the body of ball i changes: ball i is at x (not wrapped anew) with velocity v at time t, and so are its fellows,
+/// each at its constant offset. Appends the numbers of all balls written to `written`.
 template <Motion M>
 inline void write_motion(World<typename M::Real, M::dimension>& world, const M& motion, std::uint32_t i,
                          const typename M::Vector& x, const typename M::Vector& v, const Time<typename M::Real>& t,
                          std::vector<std::uint32_t>& written) {
-  using Real = typename M::Real;
-  constexpr int D = M::dimension;
   const std::int32_t b = world.details[i].body;
   if (b < 0) {
     write_state(world, i, x, world.details[i].image, v, t);
     written.push_back(i);
     return;
   }
-  Body<Real, D>& body = world.bodies[static_cast<std::size_t>(b)];
-  const Ball<Real, D>& before = world.balls[i];
+  auto& body = world.bodies[static_cast<std::size_t>(b)];
+  const auto& before = world.balls[i];
   if (before.time != t)
-    body.position = motion.position(body.position, before.velocity, before.fixed, elapsed(before.time, t));
-  const Turns<D> turns = wrap(world.space, body.position);
-  for (int k = 0; k < D; ++k) body.image[k] += turns[k];
-  for (std::size_t m = 0; m < body.members.size(); ++m) {
-    write_state(world, body.members[m], typename M::Vector(body.position + body.offsets[m]), body.image, v, t);
-    written.push_back(body.members[m]);
-  }
+    body.position = motion.stored_position(body.position, before.velocity, before.fixed, elapsed(before.time, t));
+  write_body(world, body, v, t, written);
 }
 
 /// Ball i holds `contact` from now on, in place of an earlier one with the same feature.

@@ -24,15 +24,19 @@ struct Space {
   [[nodiscard]] bool periodic() const noexcept { return kind == SpaceKind::periodic; }
 };
 
+/// Counts of periods, one an axis.
+template <int D>
+using Turns = std::array<std::int64_t, static_cast<std::size_t>(D)>;
+
 /// Balls that move as one without rotating (law "stick").
 template <class Real, int D>
 struct Body {
-  Real mass = Real(0);  ///< [mass unit]; infinity if a member's is
-  Vec<Real, D> position =
-      Vec<Real, D>::Zero();  ///< [length unit] of its reference point at the members' stored time, wrapped
-  std::array<std::int64_t, static_cast<std::size_t>(D)> image{};  ///< periods counted out of `position`
-  std::vector<std::uint32_t> members;                             ///< ball numbers
-  std::vector<Vec<Real, D>> offsets;                              ///< of the members from the reference point; constant
+  Real mass = Real(0);                           ///< [mass unit]; infinity if a member's is
+  Vec<Real, D> position = Vec<Real, D>::Zero();  ///< [length unit] of its reference point at the stored time, wrapped
+  Turns<D> image{};                              ///< periods counted out of `position`
+  std::vector<std::uint32_t> members;            ///< ball numbers
+  std::vector<Vec<Real, D>> offsets;             ///< of the members from the reference point; constant
+  std::vector<Turns<D>> shifts;                  ///< periods by which a member's own count differs from the body's
 };
 
 template <class RealType, int Dimension>

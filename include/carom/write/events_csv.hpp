@@ -10,9 +10,10 @@
 
 namespace carom {
 
-/// Columns: time, epoch, offset, kind, ball, partner, feature; position (x, y, z), image (ix, ..) and velocity after the impact
-/// (vx, ..) of the ball, then of the partner (px, .., pix, .., pvx, ..; empty for a wall); impulse, tie. Components beyond the
-/// scene's dimension are absent. The moment of a collision is epoch * epoch_length + offset, exactly; `time` is its double.
+/// Columns: time, epoch, offset, kind, ball, partner, feature; position (x, y, z), image (ix, ..) and velocity after the
+/// impact (vx, ..) of the ball, then of the partner (px, .., pix, .., pvx, ..; empty for a wall); impulse, tie. Components
+/// beyond the scene's dimension are absent. The moment of a collision is epoch * epoch_length + offset, exactly; `time` is
+/// its double.
 ///
 /// Lines that start with # are comments; the last one says how the run ended, so a log that was cut off has none.
 class EventsCsv {

@@ -9,8 +9,8 @@
 
 namespace carom {
 
-/// Columns: time, ball, position (x, y, z), image (ix, ..), velocity (vx, ..); one line a ball and frame. In a periodic space
-/// positions are wrapped and images count the wraps. Comments as in EventsCsv.
+/// Columns: time, ball, position (x, y, z), image (ix, ..), velocity (vx, ..); one line a ball and frame. In a periodic
+/// space positions are wrapped and images count the wraps. Comments as in EventsCsv.
 class TrajectoryCsv {
  public:
   /// Throws OutputError.

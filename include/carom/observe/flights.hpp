@@ -1,0 +1,60 @@
+#pragma once
+// Follows every ball from collision to collision: from the records alone, without looking at the simulation.
+
+#include <vector>
+
+#include "carom/core/clock.hpp"
+#include "carom/observe/flight.hpp"
+#include "carom/observe/subject.hpp"
+#include "carom/sim/simulation.hpp"
+
+namespace carom {
+
+/// Keeps the subject's velocities and masses up to date, and hands out the flights that end. Laws that join balls to bodies
+/// of several change velocities that no record tells of: then flights are wrong.
+class Flights {
+ public:
+  Flights(Subject subject, const Time<double>& start)
+      : subject_(std::move(subject)), from_(subject_.mass.size(), start), measured_from_(start) {}
+
+  [[nodiscard]] const Subject& subject() const noexcept { return subject_; }
+
+  /// Measuring begins: flights under way are cut there, and the subject's velocities are those at `t`.
+  void begin(const Time<double>& t) {
+    measured_from_ = t;
+    for (std::uint32_t i = 0; i < from_.size(); ++i) {
+      subject_.velocity[i] = velocity_at(i, t);
+      from_[i] = t;
+    }
+  }
+
+  /// The collision's parties end their flights: f(flight) for each that moves freely.
+  template <class F>
+  void end_by(const Collision& c, const Time<double>& now, F&& f) const {
+    if (subject_.moves_freely(c.ball.number)) f(flight(c.ball.number, now, true));
+    if (c.kind == EventKind::ball_ball && subject_.moves_freely(c.partner.number)) f(flight(c.partner.number, now, true));
+  }
+
+  /// Measuring ends: f(flight) for every ball that moves freely.
+  template <class F>
+  void end(const Time<double>& now, F&& f) const {
+    for (std::uint32_t i = 0; i < from_.size(); ++i)
+      if (subject_.moves_freely(i)) f(flight(i, now, false));
+  }
+
+  /// The parties go on as the collision has left them.
+  void go_on(const Collision& c, const Time<double>& now);
+
+ private:
+  [[nodiscard]] double elapsed_time(const Time<double>& a, const Time<double>& b) const {
+    return elapsed(a, b) * subject_.epoch_length;
+  }
+  [[nodiscard]] Triple velocity_at(std::uint32_t i, const Time<double>& t) const;
+  [[nodiscard]] Flight flight(std::uint32_t i, const Time<double>& now, bool hit) const;
+
+  Subject subject_;
+  std::vector<Time<double>> from_;  // by ball: when it took on subject_.velocity
+  Time<double> measured_from_;
+};
+
+}  // namespace carom

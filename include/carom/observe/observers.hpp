@@ -1,0 +1,66 @@
+#pragma once
+// What [observe] asks for: measures while a simulation runs.
+
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "carom/observe/collision_rate.hpp"
+#include "carom/observe/estimate.hpp"
+#include "carom/observe/flights.hpp"
+#include "carom/observe/free_path.hpp"
+#include "carom/observe/speed_histogram.hpp"
+#include "carom/observe/virial_pressure.hpp"
+#include "carom/observe/wall_pressure.hpp"
+
+namespace carom {
+
+/// Usage: make it, give `sink()` to the run, call `end`, read `estimates()`. It is told of collisions and never touches the
+/// simulation, so a run goes the same way with it and without. Measuring starts where Scene::observe says: after a number of
+/// collisions (those of its moment that follow count), or after a time (collisions at it do not count).
+class Observers {
+ public:
+  /// The simulation is at the beginning of its run. Throws InputError if something that is asked for has no meaning in the
+  /// scene; names and reasons are those of the problems.
+  Observers(const Scene& scene, const Simulation& simulation);
+  Observers(const Observers&) = delete;
+  Observers& operator=(const Observers&) = delete;
+
+  /// Whether anything is asked for.
+  [[nodiscard]] bool any() const noexcept { return !kinds_.empty(); }
+
+  /// Empty, so that no record is made, if nothing is asked for. Must not outlive this object.
+  [[nodiscard]] CollisionSink sink();
+
+  void collision(const Collision& c);
+
+  /// The run has ended: measures up to the time that the simulation has reached. Once.
+  void end(const Simulation& simulation);
+
+  /// After `end`. Without a value if measuring never started.
+  [[nodiscard]] Estimates estimates() const;
+
+  /// After `end`; none: not asked for. Empty if measuring never started.
+  [[nodiscard]] std::optional<std::vector<SpeedBin>> speed_table() const;
+
+ private:
+  using AnyObserver = std::variant<CollisionRate, FreePath, VirialPressure, WallPressure, SpeedHistogram>;
+  enum class Kind : std::uint8_t { collision_rate, free_path, virial_pressure, wall_pressure, speed_histogram };
+
+  [[nodiscard]] static std::vector<Kind> kinds_for(const Scene& scene, const Subject& subject);
+  [[nodiscard]] static AnyObserver make(Kind kind, const Subject& subject);
+  [[nodiscard]] Time<double> moment(double t) const;
+  void begin(const Time<double>& t);
+  void measure(const Collision& c, const Time<double>& now);
+  void tell(const Flight& flight);
+
+  Flights flights_;
+  std::vector<Kind> kinds_;
+  std::optional<std::int64_t> after_events_;
+  Time<double> after_;  // no earlier than the start
+  std::int64_t seen_ = 0;
+  std::optional<Time<double>> began_;
+  std::vector<AnyObserver> observers_;  // made when measuring begins
+};
+
+}  // namespace carom

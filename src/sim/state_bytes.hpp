@@ -1,0 +1,123 @@
+#pragma once
+// The whole state of a run as bytes: what a checkpoint holds. One description serves writing and reading.
+//
+// Queue and search are not in it: they are functions of the stored states, so a run goes on bit for bit under another queue and
+// search too.
+
+#include <string>
+
+#include "bytes.hpp"
+#include "carom/sim/books.hpp"
+#include "carom/sim/collapse_watch.hpp"
+#include "carom/world/world.hpp"
+
+namespace carom {
+
+/// Visits every number of a thing, in one order: `archive(x)` writes x or reads it.
+template <class Archive>
+class StateVisitor {
+ public:
+  explicit StateVisitor(Archive& archive) : archive_(archive) {}
+
+  // The things are constant when they are written.
+  void world(auto& w) {
+    sized(w.balls, [this](auto& b) { ball(b); });
+    sized(w.details, [this](auto& d) { detail(d); });
+    sized(w.bodies, [this](auto& b) { body(b); });
+  }
+  void counts(auto& c) { each(c.ball_ball, c.ball_wall, c.other, c.ties); }
+  void exactness(auto& e) {
+    each(e.max_gap_error, e.max_gap_error_relative, e.clamped, e.unresolved, e.singular, e.repredicted);
+  }
+  void books(auto& b) {
+    wide(b.dissipated);
+    wide(b.injected);
+    each(b.largest_injected, b.lowest_potential);
+  }
+  void watch(auto& w) {
+    sized(w.streaks(), [this](auto& s) {
+      for (auto& r : s.recent) each(r);
+      each(s.count, s.instant);
+      time(s.last);
+      time(s.block_start);
+      each(s.duration);
+    });
+  }
+  void time(auto& t) {
+    each(t.epoch, t.offset);
+  }
+
+ private:
+  template <class... T>
+  void each(T&... x) {
+    (archive_(x), ...);
+  }
+  template <class V>
+  void vector(V& v) {
+    for (int k = 0; k < v.size(); ++k) archive_(v[k]);
+  }
+  template <class F>
+  void sized(auto& v, F&& f) {
+    archive_.size(v);
+    for (auto& x : v) f(x);
+  }
+  void wide(auto& x) { each(x.hi, x.lo); }
+
+  void ball(auto& b) {
+    vector(b.position);
+    vector(b.velocity);
+    time(b.time);
+    each(b.radius, b.stamp, b.fixed, b.in_contact, b.alive);
+  }
+  void detail(auto& d) {
+    each(d.mass, d.material, d.rank);
+    for (auto& n : d.image) each(n);
+    sized(d.contacts, [this](auto& c) {
+      each(c.party, c.partner, c.feature);
+      for (auto& n : c.image.turns) each(n);
+      each(c.side, c.acted, c.own_stamp, c.partner_stamp);
+    });
+    time(d.last_hit);
+    each(d.last_party, d.last_partner, d.last_feature, d.body);
+  }
+  void body(auto& b) {
+    each(b.mass);
+    vector(b.position);
+    for (auto& n : b.image) each(n);
+    sized(b.members, [this](auto& m) { each(m); });
+    sized(b.offsets, [this](auto& o) { vector(o); });
+    sized(b.shifts, [this](auto& s) {
+      for (auto& n : s) each(n);
+    });
+  }
+
+  Archive& archive_;
+};
+
+struct WritingArchive {
+  ByteWriter out;
+
+  template <class T>
+  void operator()(const T& x) {
+    out.put(x);
+  }
+  template <class T>
+  void size(const std::vector<T>& v) {
+    out.put(static_cast<std::uint64_t>(v.size()));
+  }
+};
+
+struct ReadingArchive {
+  ByteReader in;
+
+  template <class T>
+  void operator()(T& x) {
+    in.get(x);
+  }
+  template <class T>
+  void size(std::vector<T>& v) {
+    v.resize(in.count());
+  }
+};
+
+}  // namespace carom
