@@ -1,6 +1,7 @@
 #include "command_line.hpp"
 
 #include <algorithm>
+#include <array>
 #include <exception>
 #include <sstream>
 
@@ -22,6 +23,7 @@ class Parser {
     program_.set_version_flag("--version", "carom " CAROM_VERSION);
     program_.footer("Example:\n  carom new break_shot && carom run break_shot.toml\n\nEvery command has --help.");
     run_command_ = add_run_command(program_, run_);
+    check_command_ = add_check_command(program_, check_);
     explain_command_ = add_explain_command(program_, explain_);
     new_command_ = add_new_command(program_, new_);
   }
@@ -35,13 +37,16 @@ class Parser {
       return answer(error);
     }
     if (run_command_->parsed()) return run_;
+    if (check_command_->parsed()) return check_;
     if (explain_command_->parsed()) return explain_;
     if (new_command_->parsed()) return new_;
     return Answer{ExitStatus::wrong_input, "carom: a command is missing. See carom --help\n"};
   }
 
  private:
-  [[nodiscard]] std::vector<CLI::App*> commands() const { return {run_command_, explain_command_, new_command_}; }
+  [[nodiscard]] std::array<const CLI::App*, 4> commands() const {
+    return {run_command_, check_command_, explain_command_, new_command_};
+  }
 
   [[nodiscard]] bool known(const std::string& word) const {
     const auto list = commands();
@@ -70,9 +75,10 @@ class Parser {
 
   CLI::App program_;
   RunOptions run_;
+  CheckOptions check_;
   ExplainOptions explain_;
   NewOptions new_;
-  CLI::App *run_command_, *explain_command_, *new_command_;
+  CLI::App *run_command_, *check_command_, *explain_command_, *new_command_;
 };
 
 ExitStatus carry_out(const Answer& answer, const Console& console) {
@@ -80,6 +86,7 @@ ExitStatus carry_out(const Answer& answer, const Console& console) {
   return answer.status;
 }
 ExitStatus carry_out(const RunOptions& options, const Console& console) { return run(options, console); }
+ExitStatus carry_out(const CheckOptions& options, const Console& console) { return check(options, console); }
 ExitStatus carry_out(const ExplainOptions& options, const Console& console) { return explain(options, console); }
 ExitStatus carry_out(const NewOptions& options, const Console& console) { return new_scene(options, console); }
 

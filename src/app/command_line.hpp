@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "check_command.hpp"
 #include "console.hpp"
 #include "exit_status.hpp"
 #include "explain_command.hpp"
@@ -19,7 +20,7 @@ struct Answer {
   std::string text;
 };
 
-using Command = std::variant<Answer, RunOptions, ExplainOptions, NewOptions>;
+using Command = std::variant<Answer, RunOptions, CheckOptions, ExplainOptions, NewOptions>;
 
 /// `words` are the arguments without the program's name.
 [[nodiscard]] Command parse(const std::vector<std::string>& words);

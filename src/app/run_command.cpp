@@ -8,8 +8,10 @@
 
 #include "carom/core/error.hpp"
 #include "carom/sim/simulation.hpp"
+#include "carom/write/checkpoint_file.hpp"
 #include "carom/write/summary_json.hpp"
 #include "carom/write/summary_table.hpp"
+#include "checkpoints.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
 #include "run_outputs.hpp"
@@ -22,11 +24,8 @@ namespace {
 constexpr std::int64_t shown_balls = 20;  // the table for people lists the balls of scenes up to this size
 
 void refuse_unbuilt(const RunOptions& options) {
-  std::vector<Problem> problems;
   if (options.precision != "double")
-    problems.push_back({"", 0, "--precision " + options.precision + ": not built yet", "", "It is \"double\""});
-  if (!options.resume.empty()) problems.push_back({"", 0, "--resume " + options.resume + ": not built yet", "", ""});
-  if (!problems.empty()) throw InputError(std::move(problems));
+    throw InputError(Problem{"", 0, "--precision " + options.precision + ": not built yet", "", "It is \"double\""});
 }
 
 double peak_memory_mb() {
@@ -36,13 +35,16 @@ double peak_memory_mb() {
 }
 
 /// Runs, and fills the files as it goes. A write that fails ends the run.
-RunReport carry_out(Simulation& simulation, const Scene& scene, RunOutputs& outputs, Interrupt& interrupt,
-                    std::ostream* screen) {
+RunReport carry_out(Simulation& simulation, const Scene& scene, RunOutputs& outputs, Checkpoints& checkpoints,
+                    Interrupt& interrupt, std::ostream* screen) {
   RunReport report;
   Progress progress(screen, scene.run);
   Watchers watchers;
   watchers.interrupt = &interrupt.flag();
-  watchers.slice = [&] { progress.show(simulation); };
+  watchers.slice = [&] {
+    progress.show(simulation);
+    checkpoints.look(simulation);
+  };
   if (EventsCsv* log = outputs.events())
     watchers.collision = [log, &interrupt](const Collision& collision) {
       log->write(collision);
@@ -94,6 +96,8 @@ CLI::App* add_run_command(CLI::App& program, RunOptions& options) {
   command->add_option("--events", options.scene.events, "Ends after so many collisions")->type_name("N");
   command->add_option("--precision", options.precision, "Arithmetic: double")->type_name("P");
   command->add_option("--resume", options.resume, "Goes on from a checkpoint")->type_name("FILE");
+  command->add_option("--checkpoint", options.checkpoint, "Saves the state at the end, and on Ctrl-C, in this file")
+      ->type_name("FILE");
   command->add_option("--out", options.out, "Folder for the files of [output], made if it is not there")->type_name("DIR");
   command->add_flag("--json", options.json, "Prints one JSON object");
   command->add_flag("--final", options.final, "Adds the state of every ball at the end");
@@ -109,14 +113,18 @@ ExitStatus run(const RunOptions& options, const Console& console) {
   refuse_unbuilt(options);
   const Scene scene = read_scene(options.scene);
   Simulation simulation(scene);
+  if (!options.resume.empty()) read_checkpoint(options.resume, simulation);
   RunOutputs outputs(scene, options.out, simulation);
-  if (!options.out.empty() && !outputs.any() && !options.quiet)
+  if (!options.out.empty() && !outputs.any() && scene.output.checkpoint.empty() && options.checkpoint.empty() && !options.quiet)
     console.err << "carom: nothing is written to \"" << options.out << "\": the scene has no files under [output].\n";
 
+  Checkpoints checkpoints(scene, options.checkpoint, options.out, simulation);
   Interrupt interrupt;
   const bool watched = console.err_is_terminal && !options.quiet;
-  RunReport report = carry_out(simulation, scene, outputs, interrupt, watched ? &console.err : nullptr);
-  const std::string unwritten = outputs.finish(report.summary.stopped_by);
+  RunReport report = carry_out(simulation, scene, outputs, checkpoints, interrupt, watched ? &console.err : nullptr);
+  std::string unwritten = outputs.finish(report.summary.stopped_by);
+  const std::string unsaved = checkpoints.finish(simulation);
+  unwritten += (unwritten.empty() || unsaved.empty() ? "" : "\n") + unsaved;
   report.peak_memory_mb = peak_memory_mb();
   print(options, report, simulation, console);
 

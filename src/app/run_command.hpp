@@ -15,6 +15,7 @@ struct RunOptions {
   SceneArguments scene;
   std::string precision = "double";
   std::string resume;  ///< checkpoint to go on from; empty: none
+  std::string checkpoint;  ///< file for the state at the end; empty: as in the scene
   std::string out;     ///< folder for the output files; empty: where the program was started
   bool json = false;   ///< the result as one JSON object
   bool final = false;  ///< with the state of every ball at the end

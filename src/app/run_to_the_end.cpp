@@ -28,7 +28,9 @@ class Slice {
 class Runner {
  public:
   Runner(Simulation& simulation, const RunSpec& run, const Watchers& watchers)
-      : simulation_(simulation), run_(run), watchers_(watchers), samples_(run) {}
+      : simulation_(simulation), run_(run), watchers_(watchers), samples_(run) {
+    samples_.skip_to(simulation.time());  // it may have run before
+  }
 
   Stop operator()() {
     frame();

@@ -16,8 +16,8 @@ struct Watchers {
   const std::atomic<bool>* interrupt = nullptr;  ///< ends the run at the next event
 };
 
-/// The run that `run` asks for. Its events, and where it ends, do not depend on who watches. Without `until`, a run that
-/// has no events left ends at its last event, though frames may have gone beyond it.
+/// The run that `run` asks for, or the rest of it. Its events, and where it ends, do not depend on who watches. Without
+/// `until`, a run that has no events left ends at its last event, though frames may have gone beyond it.
 Stop run_to_the_end(Simulation& simulation, const RunSpec& run, const Watchers& watchers);
 
 }  // namespace carom::app

@@ -9,6 +9,12 @@ SampleTimes::SampleTimes(const RunSpec& run) {
   if (run.until) end_ = exact(*run.until);
 }
 
+void SampleTimes::skip_to(double time) {
+  if (every_ <= 0) return;
+  const Rational periods = (exact(Number(time)) - start_) / every_;
+  if (periods >= 1) count_ = static_cast<std::int64_t>(numerator(periods) / denominator(periods)) + 1;
+}
+
 std::optional<Number> SampleTimes::next() const {
   if (every_ <= 0) return std::nullopt;
   const Rational t = moment();

@@ -18,6 +18,9 @@ class SampleTimes {
   [[nodiscard]] std::optional<Number> next() const;
   void advance() { ++count_; }
 
+  /// Leaves out the moments up to `time`.
+  void skip_to(double time);
+
  private:
   [[nodiscard]] Rational moment() const { return start_ + Rational(count_) * every_; }
 

@@ -8,8 +8,8 @@ namespace carom::app {
 namespace {
 
 // A name is deleted when its command is there.
-constexpr std::array<std::string_view, 9> unbuilt{"compare", "check", "certify", "view", "plot",
-                                                  "convert", "sweep", "orbit",   "bench"};
+constexpr std::array<std::string_view, 8> unbuilt{"compare", "certify", "view",  "plot",
+                                                  "convert", "sweep",   "orbit", "bench"};
 
 }  // namespace
 

@@ -143,6 +143,13 @@ void judge_output(Judgement& j) {
   if (!o.events.empty() && o.events == o.trajectory) {
     rules.found("trajectory", " is " + in_quotes(o.trajectory), "output.events has the same name");
   }
+  TableRules every(j, {"output", "checkpoint", "every"}, o.where);
+  if (o.checkpoint_every_time) {
+    every.finite("time", *o.checkpoint_every_time);
+    if (o.checkpoint_every_time->value <= 0) every.found("time", " is not above 0", "it is a span of time", "Leave it out for one at the end");
+  }
+  if (o.checkpoint_every_events && *o.checkpoint_every_events <= 0)
+    every.found("events", " is not above 0", "it is a number of collisions", "Leave it out for one at the end");
   if (o.trajectory.empty()) return;
   const std::size_t dot = o.trajectory.rfind('.');
   const std::string ending = dot == std::string::npos ? "" : o.trajectory.substr(dot);

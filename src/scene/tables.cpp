@@ -242,6 +242,16 @@ OutputSpec read_output(TableReader t) {
   o.where = t.where();
   t.text("events", o.events);
   t.text("trajectory", o.trajectory);
+  if (std::optional<TableReader> checkpoint = t.table("checkpoint")) {
+    o.checkpoint = "checkpoint.carom";
+    checkpoint->text("file", o.checkpoint);
+    if (std::optional<TableReader> every = checkpoint->table("every")) {
+      every->number("time", o.checkpoint_every_time);
+      every->integer("events", o.checkpoint_every_events);
+      every->finish();
+    }
+    checkpoint->finish();
+  }
   t.finish();
   return o;
 }

@@ -44,14 +44,7 @@ constexpr std::array unbuilt{
     Unbuilt{"observe.diffusion"},
     Unbuilt{"output.trajectory", ".h5"},
     Unbuilt{"output.trajectory", ".xyz"},
-    Unbuilt{"output.checkpoint"},
     Unbuilt{"ensemble"},
-
-    Unbuilt{"observe.after"},
-    Unbuilt{"observe.pressure"},
-    Unbuilt{"observe.collision_rate"},
-    Unbuilt{"observe.mean_free_path"},
-    Unbuilt{"observe.speed_histogram"},
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "carom/motion/free_flight.hpp"
 #include "carom/motion/uniform_acceleration.hpp"
 #include "carom/queue/heap_queue.hpp"
+#include "carom/queue/sorted_queue.hpp"
 #include "carom/search/all_pairs.hpp"
 #include "carom/search/cell_grid.hpp"
 #include "composed_engine.hpp"
@@ -56,7 +57,35 @@ std::unique_ptr<Simulation::Engine> choose_search(const Scene& scene, World<type
   return make_composed(scene, std::move(world), motion, std::move(composition), CellGrid<Real, D>(Layout::fitted));
 }
 
+/// Up to this many balls the reference is searched by all pairs (measured: 4000 disks still make thousands of collisions a second).
+inline constexpr std::size_t bearable_pairs = 4000;
+
+template <Motion M>
+std::unique_ptr<Simulation::Engine> make_reference(const Scene& scene, World<typename M::Real, M::dimension> world,
+                                                   const M& motion) {
+  using Real = typename M::Real;
+  constexpr int D = M::dimension;
+  using Search = CellGrid<Real, D>;
+  using Queue = SortedQueue<Real, D>;
+  // The search that make_engine does not take: one cell where that takes several, several where it takes one or none.
+  const bool few = world.balls.size() <= few_balls && scene.engine.search != SearchKind::cells;
+  const bool one_cell = !few && world.balls.size() <= bearable_pairs;
+  Composition composition{M::name, one_cell ? "one cell" : Search::name, Queue::name, {}};
+  return std::make_unique<ComposedEngine<M, Search, Queue>>(scene, std::move(world), motion, std::move(composition),
+                                                            Search(one_cell ? Layout::one_cell : Layout::fitted));
+}
+
 }  // namespace detail
+
+template <int D>
+std::unique_ptr<Simulation::Engine> make_reference_engine(const Scene& scene) {
+  World<double, D> world = build<double, D>(scene);
+  if (world.accelerated()) {
+    const UniformAcceleration<double, D> motion{world.acceleration};
+    return detail::make_reference(scene, std::move(world), motion);
+  }
+  return detail::make_reference(scene, std::move(world), FreeFlight<double, D>{});
+}
 
 template <int D>
 std::unique_ptr<Simulation::Engine> make_engine(const Scene& scene) {

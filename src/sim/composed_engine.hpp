@@ -46,6 +46,8 @@ class ComposedEngine final : public Simulation::Engine {
   }
 
   void return_to_last_event() override { reached_ = engine_.now(); }
+  void reverse() override { engine_.reverse(reached_); }
+
   [[nodiscard]] double time() const override { return in_users_time(reached_); }
   [[nodiscard]] const EventCounts& counts() const override { return engine_.counts(); }
   [[nodiscard]] std::uint32_t ball_count() const override { return static_cast<std::uint32_t>(world_.balls.size()); }

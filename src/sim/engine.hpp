@@ -25,6 +25,7 @@ class Simulation::Engine {
   virtual Stop advance(const std::optional<Number>& until, std::optional<std::int64_t> events, const CollisionSink& sink,
                        const std::atomic<bool>* interrupt) = 0;
   virtual void return_to_last_event() = 0;
+  virtual void reverse() = 0;
   [[nodiscard]] virtual double time() const = 0;
   [[nodiscard]] virtual Summary summary() const = 0;
   [[nodiscard]] virtual const EventCounts& counts() const = 0;
@@ -53,6 +54,14 @@ class Simulation::Engine {
 /// The compositions of one dimension.
 template <int D>
 [[nodiscard]] std::unique_ptr<Simulation::Engine> make_engine(const Scene& scene);
+
+/// One composition of a dimension and motion, with another queue than make_engine takes.
+template <int D>
+[[nodiscard]] std::unique_ptr<Simulation::Engine> make_reference_engine(const Scene& scene);
+
+extern template std::unique_ptr<Simulation::Engine> make_reference_engine<1>(const Scene&);
+extern template std::unique_ptr<Simulation::Engine> make_reference_engine<2>(const Scene&);
+extern template std::unique_ptr<Simulation::Engine> make_reference_engine<3>(const Scene&);
 
 extern template std::unique_ptr<Simulation::Engine> make_engine<1>(const Scene&);
 extern template std::unique_ptr<Simulation::Engine> make_engine<2>(const Scene&);

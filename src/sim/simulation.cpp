@@ -20,9 +20,22 @@ std::unique_ptr<Simulation::Engine> compose(const Scene& scene) {
       throw InputError(Problem{scene.file, 0, "dimension = " + std::to_string(scene.dimension), "it is 1, 2 or 3", ""});
   }
 }
+
+std::unique_ptr<Simulation::Engine> compose_reference(const Scene& scene) {
+  switch (scene.dimension) {
+    case 1:
+      return make_reference_engine<1>(scene);
+    case 2:
+      return make_reference_engine<2>(scene);
+    default:
+      return make_reference_engine<3>(scene);
+  }
+}
 }  // namespace
 
 Simulation::Simulation(const Scene& scene) : engine_(compose(scene)) {}
+Simulation::Simulation(std::unique_ptr<Engine> engine) : engine_(std::move(engine)) {}
+Simulation Simulation::reference(const Scene& scene) { return Simulation(compose_reference(scene)); }
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
@@ -34,6 +47,7 @@ Stop Simulation::advance(const std::optional<Number>& until, std::optional<std::
   return engine_->advance(until, events, sink, interrupt);
 }
 
+void Simulation::reverse() { engine_->reverse(); }
 double Simulation::time() const { return engine_->time(); }
 Summary Simulation::summary() const { return engine_->summary(); }
 const EventCounts& Simulation::counts() const { return engine_->counts(); }

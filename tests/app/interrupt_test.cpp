@@ -43,6 +43,7 @@ TEST_P(InterruptedRun, is_complete_to_its_last_event) {
   EXPECT_EQ(j["final"].size(), 2U);
 
   const test::Csv log(folder.read("e.csv"));
+  ASSERT_FALSE(log.rows.empty());
   EXPECT_TRUE(log.whole);
   const std::size_t collisions = j["events"]["ball_ball"].get<std::size_t>() + j["events"]["ball_wall"].get<std::size_t>();
   EXPECT_EQ(log.rows.size(), collisions);
@@ -50,6 +51,7 @@ TEST_P(InterruptedRun, is_complete_to_its_last_event) {
   EXPECT_LE(std::stod(log.rows.back().at("time")), j["time"].get<double>());
 
   const test::Csv frames(folder.read("t.csv"));
+  ASSERT_FALSE(frames.rows.empty());
   EXPECT_TRUE(frames.whole);
   EXPECT_EQ(std::stod(frames.rows.back().at("time")), j["time"].get<double>());
 }

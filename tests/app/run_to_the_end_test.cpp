@@ -65,6 +65,18 @@ TEST(RunToTheEnd, without_until_ends_at_the_last_event) {
   EXPECT_EQ(seen.time, 1.0);
 }
 
+TEST(RunToTheEnd, does_the_rest_of_a_run) {
+  Scene scene = test::head_on(2);
+  scene.run.sample_every = 1.0;
+  Simulation simulation(scene);
+  simulation.advance(Number(2.5));
+  std::vector<double> frames;
+  Watchers watchers;
+  watchers.frame = [&] { frames.push_back(simulation.time()); };
+  EXPECT_EQ(run_to_the_end(simulation, scene.run, watchers), Stop::until);
+  EXPECT_THAT(frames, testing::ElementsAre(2.5, 3.0, 4.0, 5.0, 6.0));
+}
+
 TEST(RunToTheEnd, stops_when_it_is_interrupted) {
   Scene scene = test::head_on(2);
   scene.run.until = 1e9;

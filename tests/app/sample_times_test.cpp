@@ -31,6 +31,16 @@ TEST(SampleTimes, end_before_the_run_does) {
   EXPECT_EQ(count, 2);  // 1/3 and 2/3: the end has a frame of its own
 }
 
+TEST(SampleTimes, skip_what_is_past) {
+  SampleTimes times(sampled("1", "0.5"));
+  times.skip_to(1.0);
+  EXPECT_EQ(times.next()->value, 1.5);
+  times.skip_to(2.25);
+  EXPECT_EQ(times.next()->value, 2.5);
+  times.skip_to(2.5);
+  EXPECT_EQ(times.next()->value, 3.0);
+}
+
 TEST(SampleTimes, are_none_unless_asked_for) { EXPECT_FALSE(SampleTimes(RunSpec()).next()); }
 
 }  // namespace

@@ -1,8 +1,8 @@
 // check_example PROGRAM FOLDER OUT: runs FOLDER/scene.toml as FOLDER/expected.json says, and compares.
 //
-// expected.json holds {"runs": [{"arguments": [..], "status": 0, "values": {POINTER: EXPECTED, ..}}, ..]}. A POINTER (RFC 6901) names a
-// value of the summary that `carom run --json --final` prints; EXPECTED is a value (equal to the last bit), [value, tolerance],
-// or {"at_least": .., "at_most": ..}. A run of status 2 must print nothing on stdout.
+// expected.json holds {"runs": [{"arguments": [..], "status": 0, "values": {POINTER: EXPECTED, ..}}, ..]}. A POINTER
+// (RFC 6901) names a value of the summary that `carom run --json --final` prints; EXPECTED is a value (equal to the last
+// bit), [value, tolerance], or {"at_least": .., "at_most": ..}. A run of status 2 must print nothing on stdout.
 
 #include <sys/wait.h>
 
@@ -43,7 +43,8 @@ Finished run(const std::string& command) {
 }
 
 bool agrees(const json& found, const json& expected) {
-  if (expected.is_array()) return found.is_number() && std::abs(found.get<double>() - expected[0].get<double>()) <= expected[1];
+  if (expected.is_array())
+    return found.is_number() && std::abs(found.get<double>() - expected[0].get<double>()) <= expected[1].get<double>();
   if (expected.is_object())
     return found.is_number() && (!expected.contains("at_most") || found.get<double>() <= expected["at_most"]) &&
            (!expected.contains("at_least") || found.get<double>() >= expected["at_least"]);

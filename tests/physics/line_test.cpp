@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <numeric>
+#include <thread>
 
 #include "sim/scenes.hpp"
 
@@ -124,7 +127,13 @@ TEST(EqualRods, velocities_permute_and_positions_sort) {
         EXPECT_NEAR(result.balls[i].position[0], lines[i] + 2 * radius * i, 1e-12 * std::max(t, 10.0)) << "ball " << i << " t " << t;
     }
     Simulation simulation(scene_of(p));
-    EXPECT_EQ(simulation.advance(std::nullopt), Stop::no_events_left);
+    // A minute at the most, should the engine look for the collision that does not come.
+    std::atomic<bool> enough{false};
+    std::jthread clock([&](const std::stop_token& done) {
+      for (int i = 0; i < 600 && !done.stop_requested(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      enough = true;
+    });
+    EXPECT_EQ(simulation.advance(std::nullopt, std::nullopt, {}, &enough), Stop::no_events_left) << "everybody flies away";
     EXPECT_EQ(simulation.counts().collisions(), inversions);
     std::vector<double> sorted = p.v, final;
     std::sort(sorted.begin(), sorted.end());
@@ -148,6 +157,48 @@ TEST(EqualRods, in_a_box_the_speeds_are_a_permutation_for_ever) {
   std::sort(after.begin(), after.end());
   EXPECT_EQ(after, before);
   EXPECT_LE(result.summary.energy.relative_error, 1e-16);
+}
+
+// On a ring of length 10 a moving rod meets the resting one after 6, then they take turns, one way round, every 10 - 2: whichever
+// of its images the scene names, and however often they have gone round.
+TEST(Ring, two_rods_take_turns) {
+  for (const double x : {2.0, 12.0, -8.0, 32.0, -1008.0})
+    for (const bool swapped : {false, true}) {
+      Scene scene = open_space(1);
+      scene.space.kind = SpaceKind::periodic;
+      scene.space.lower = {0.0};
+      scene.space.upper = {10.0};
+      scene.balls = {ball({5.0}, {1.0}), ball({x}, {0.0})};
+      if (swapped) std::swap(scene.balls[0], scene.balls[1]);
+      const Result result = run_until(scene, 500.0);
+      ASSERT_EQ(result.log.size(), 62u) << "rod at " << x;
+      for (std::size_t i = 0; i < result.log.size(); ++i) EXPECT_EQ(result.log[i].time, 6.0 + 8.0 * double(i)) << "rod at " << x;
+      EXPECT_EQ(result.summary.exactness.max_gap_error, 0.0);
+    }
+}
+
+// Many rods on a ring: nobody jumps over anybody, the velocities stay a permutation, and nothing overlaps.
+TEST(Ring, keeps_the_order_and_the_speeds) {
+  for (const double radius : {0.3, 0.0}) {
+    const Permutation p = random_line(11, radius, 8);
+    Scene scene = scene_of(p);
+    scene.space.kind = SpaceKind::periodic;
+    scene.space.lower = {0.0};
+    scene.space.upper = {p.x.back() + 0.7};
+    for (std::size_t i = 0; i < scene.balls.size(); i += 3) scene.balls[i].position[0] = scene.balls[i].position[0] + 3 * scene.space.upper[0];
+    const Result result = run(scene, 20000);
+    EXPECT_LE(result.summary.exactness.max_gap_error, 1e-13);
+    EXPECT_EQ(result.summary.exactness.clamped, 0);
+    for (const Collision& c : result.log) {
+      const std::uint32_t apart = c.partner.number - c.ball.number;
+      ASSERT_TRUE(apart == 1 || apart == 10) << "neighbours on the ring";
+    }
+    std::vector<double> before = p.v, after;
+    for (const BallState& b : result.balls) after.push_back(b.velocity[0]);
+    std::sort(before.begin(), before.end());
+    std::sort(after.begin(), after.end());
+    EXPECT_EQ(after, before);
+  }
 }
 
 // k balls in, k balls out.

@@ -59,7 +59,6 @@ const std::vector<Asking> asking = {
     {"observe.diffusion", "", "[observe]\ndiffusion = true"},
     {"output.trajectory", ".h5", "[output]\ntrajectory = \"run.h5\""},
     {"output.trajectory", ".xyz", "[output]\ntrajectory = \"run.xyz\""},
-    {"output.checkpoint", "", "[output]\ncheckpoint = { every = { time = 10.0 } }"},
     {"space.kind", "periodic", "[space]\nlower = [0, 0]\nupper = [9, 9]\nkind = \"periodic\""},
 };
 

@@ -59,6 +59,7 @@ class Observers {
   std::optional<std::int64_t> after_events_;
   Time<double> after_;  // no earlier than the start
   std::int64_t seen_ = 0;
+  Time<double> last_;  // collision, or the start
   std::optional<Time<double>> began_;
   std::vector<AnyObserver> observers_;  // made when measuring begins
 };

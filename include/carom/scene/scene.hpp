@@ -148,6 +148,9 @@ struct ObserveSpec {
 struct OutputSpec {
   std::string events;      ///< file for the event log. DEFAULT: none
   std::string trajectory;  ///< file for the frames. DEFAULT: none
+  std::string checkpoint;  ///< file for the state, written at the end and on Ctrl-C. DEFAULT: none
+  std::optional<Number> checkpoint_every_time;          ///< [time] and each such span of the scene's time
+  std::optional<std::int64_t> checkpoint_every_events;  ///< and after each so many collisions
   Where where;
 };
 

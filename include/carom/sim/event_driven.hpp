@@ -73,6 +73,20 @@ class EventDriven {
     predict_all();
   }
 
+  /// Turns every velocity round at the moment t, not before the last collision.
+  void reverse(const Time<Real>& t) {
+    std::vector<std::uint32_t> written;
+    std::vector<bool> done(world_.balls.size(), false);
+    for (std::uint32_t i = 0; i < world_.balls.size(); ++i) {
+      if (!world_.balls[i].alive || world_.balls[i].fixed || done[i]) continue;
+      written.clear();
+      write_motion(world_, motion_, i, position_at(motion_, world_, i, t), Vec<Real, D>(-velocity_at(motion_, world_, i, t)), t,
+                   written);
+      for (const std::uint32_t k : written) done[k] = true;
+    }
+    resume(t);
+  }
+
   /// Moment of the last event, or of the start.
   [[nodiscard]] const Time<Real>& now() const noexcept { return now_; }
   [[nodiscard]] const M& motion() const noexcept { return motion_; }

@@ -51,6 +51,10 @@ class Simulation {
  public:
   /// Throws InputError.
   explicit Simulation(const Scene& scene);
+
+  /// The same scene by another queue and, where it can be borne, another search: slow, and its log must be the same bit for bit.
+  [[nodiscard]] static Simulation reference(const Scene& scene);
+
   ~Simulation();
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
@@ -65,6 +69,9 @@ class Simulation {
 
   /// Takes time() back to the last event, or to the start: where a run that has no events left ends.
   void return_to_last_event();
+
+  /// Turns every velocity round at time(). Without dissipation and moving walls the run then goes back to its start.
+  void reverse();
 
   [[nodiscard]] double time() const;      ///< [time] that the run has reached
   [[nodiscard]] Summary summary() const;  ///< at time()
@@ -89,6 +96,8 @@ class Simulation {
   class Engine;
 
  private:
+  explicit Simulation(std::unique_ptr<Engine> engine);
+
   std::unique_ptr<Engine> engine_;
 };
 

@@ -1,0 +1,57 @@
+#include "carom/observe/subject.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "carom/world/placement/radius.hpp"
+
+namespace carom {
+
+namespace {
+
+/// Edge of the periodic cell that a gas sets where the scene has no space; 0: no gas does.
+double edge_set_by_gas(const Scene& scene) {
+  for (const GasSpec& g : scene.gases)
+    if (g.radius && g.packing_fraction && g.radius->value > 0)
+      return dimensional_root(static_cast<double>(g.count) * ball_volume(*g.radius, scene.dimension) / *g.packing_fraction,
+                              scene.dimension);
+  return 0.0;
+}
+
+}  // namespace
+
+bool Subject::moves_freely(std::uint32_t ball) const { return mass[ball] > 0 && std::isfinite(mass[ball]); }
+
+bool Subject::has_obstacles() const {
+  return walls > 0 || std::any_of(mass.begin(), mass.end(), [](double m) { return std::isinf(m); });
+}
+
+Subject subject_of(const Scene& scene, const Simulation& simulation) {
+  Subject s;
+  s.dimension = scene.dimension;
+  s.space = scene.space.kind;
+  s.epoch_length = simulation.epoch_length();
+  s.merging = scene.collision.law == LawKind::merge;
+  const double set_by_gas = s.space == SpaceKind::open ? edge_set_by_gas(scene) : 0.0;
+  if (set_by_gas > 0) s.space = SpaceKind::periodic;
+  for (int k = 0; k < scene.dimension; ++k) {
+    const auto axis = static_cast<std::size_t>(k);
+    if (s.space != SpaceKind::open)
+      s.edge[axis] = set_by_gas > 0 ? set_by_gas : scene.space.upper[axis] - scene.space.lower[axis];
+    if (!scene.motion.acceleration.empty()) s.acceleration[axis] = scene.motion.acceleration[axis];
+  }
+  const std::uint32_t faces = s.space == SpaceKind::box ? 2 * static_cast<std::uint32_t>(s.dimension) : 0;
+  s.walls = simulation.wall_count() - faces;
+  for (const BallState& ball : simulation.balls()) {
+    s.mass.resize(ball.index + 1, 0.0);
+    s.radius.resize(ball.index + 1, 0.0);
+    s.velocity.resize(ball.index + 1);
+    s.mass[ball.index] = ball.mass;
+    s.radius[ball.index] = ball.radius;
+    std::copy(ball.velocity.begin(), ball.velocity.end(), s.velocity[ball.index].begin());
+    if (std::isfinite(ball.mass)) ++s.free;
+  }
+  return s;
+}
+
+}  // namespace carom

@@ -1,0 +1,7 @@
+#include "compose.hpp"
+
+namespace carom {
+
+template std::unique_ptr<Simulation::Engine> make_reference_engine<3>(const Scene&);
+
+}  // namespace carom
