@@ -20,7 +20,8 @@ bool on_grid(const T& t) { return t.offset >= 0 && t.offset < 1 && std::nearbyin
 
 /// A moment on the grid, often near the ends of an epoch.
 T any_moment() {
-  const auto epoch = *rc::gen::oneOf(rc::gen::inRange<std::int64_t>(-3, 4), rc::gen::inRange<std::int64_t>(-last_epoch / 2, last_epoch / 2));
+  const auto epoch = *rc::gen::oneOf(rc::gen::inRange<std::int64_t>(-3, 4),
+                                     rc::gen::inRange<std::int64_t>(-last_epoch / 2, last_epoch / 2));
   const std::int64_t whole = std::int64_t{1} << 53;
   const auto ticks = *rc::gen::oneOf(rc::gen::inRange<std::int64_t>(0, whole), rc::gen::inRange<std::int64_t>(0, 5),
                                      rc::gen::inRange<std::int64_t>(whole - 5, whole));

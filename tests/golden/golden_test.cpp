@@ -1,8 +1,8 @@
 // Logs kept as text: the same bits from every compiler, at every level of optimisation, on every day.
 //
-// A line is a collision: epoch, offset [user's time], kind, ball, partner, the velocity of the ball after it and, for a ball,
-// that of the partner; numbers that are not counts are hexadecimal. To write the files anew (a change of their content is a
-// commit of its own, with its reason): CAROM_REGENERATE_GOLDEN=1 ./golden_tests
+// A line is a collision: epoch, offset [user's time], kind, ball, partner, the velocity of the ball after it and, for a
+// ball, that of the partner; numbers that are not counts are hexadecimal. To write the files anew (a change of their
+// content is a commit of its own, with its reason): CAROM_REGENERATE_GOLDEN=1 ./golden_tests
 
 #include <gtest/gtest.h>
 

@@ -68,8 +68,10 @@ void expect_rounded_once(bool wild, double share_of_infinite) {
     for (int k = 0; k < D; ++k) {
       const Exact size_a = abs(Exact(want.va[k] - Exact(in.va[k]))) + std::abs(in.va[k]);
       const Exact size_b = abs(Exact(want.vb[k] - Exact(in.vb[k]))) + std::abs(in.vb[k]);
-      ASSERT_LE(double(Exact(abs(Exact(Exact(got.va[k]) - want.va[k])) - size_a * 0x1p-98)), 0.5 * ulp(got.va[k])) << D << "-D, case " << i;
-      ASSERT_LE(double(Exact(abs(Exact(Exact(got.vb[k]) - want.vb[k])) - size_b * 0x1p-98)), 0.5 * ulp(got.vb[k])) << D << "-D, case " << i;
+      ASSERT_LE(double(Exact(abs(Exact(Exact(got.va[k]) - want.va[k])) - size_a * 0x1p-98)), 0.5 * ulp(got.va[k]))
+          << D << "-D, case " << i;
+      ASSERT_LE(double(Exact(abs(Exact(Exact(got.vb[k]) - want.vb[k])) - size_b * 0x1p-98)), 0.5 * ulp(got.vb[k]))
+          << D << "-D, case " << i;
     }
     const double impulse = double(want.impulse), dissipated = double(want.dissipated);
     ASSERT_NEAR(got.impulse, impulse, 4 * ulp(impulse));
@@ -91,7 +93,8 @@ TEST(Impact, whatever_the_sizes) {
   expect_rounded_once<3>(true, 0.0);
 }
 
-// In exact arithmetic the books balance: m v^2 / 2 before + injected = after + dissipated, and the momenta of finite masses.
+// In exact arithmetic the books balance: m v^2 / 2 before + injected = after + dissipated, and the momenta of finite
+// masses.
 template <int D>
 void expect_balance() {
   Dice dice;

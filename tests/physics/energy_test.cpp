@@ -32,7 +32,9 @@ TEST(Energy, five_unequal_balls_in_a_box_for_ten_million_collisions) {
 class Walk {
  public:
   explicit Walk(const Scene& scene)
-      : world_(build<double, 2>(scene)), engine_(world_, Flight{}), start_(totals_at(Flight{}, world_, world_.start).kinetic) {}
+      : world_(build<double, 2>(scene)),
+        engine_(world_, Flight{}),
+        start_(totals_at(Flight{}, world_, world_.start).kinetic) {}
 
   double after(std::int64_t collisions) {
     engine_.advance(Time<double>::never(), collisions, NoSink{});

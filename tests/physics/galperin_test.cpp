@@ -1,10 +1,10 @@
 // Galperin's billiard: a heavy ball pushes a light one against a wall, and the collisions count the digits of pi.
 //
-// Wall at x = 0, light ball m at rest at Y0, heavy ball M = m q at X0 > Y0 with velocity -V0. With theta = arctan sqrt(m/M) the
-// number of collisions is ceil(pi / theta) - 1 [Galperin2003]. After k ball-ball hits the velocities are
+// Wall at x = 0, light ball m at rest at Y0, heavy ball M = m q at X0 > Y0 with velocity -V0. With theta = arctan sqrt(m/M)
+// the number of collisions is ceil(pi / theta) - 1 [Galperin2003]. After k ball-ball hits the velocities are
 //   u = -V0 cos 2 k theta,   |v| = V0 sqrt(M/m) |sin 2 k theta|.
-// At every moment M x^2 + m y^2 = M (X0 - V0 t)^2 + m Y0^2: in the plane of (sqrt(M) x, sqrt(m) y) the pair moves on a straight
-// line that the mirrors of a wedge of angle theta fold, and its distance from the corner does not see the folds.
+// At every moment M x^2 + m y^2 = M (X0 - V0 t)^2 + m Y0^2: in the plane of (sqrt(M) x, sqrt(m) y) the pair moves on a
+// straight line that the mirrors of a wedge of angle theta fold, and its distance from the corner does not see the folds.
 
 #include <gtest/gtest.h>
 

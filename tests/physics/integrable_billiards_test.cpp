@@ -83,8 +83,9 @@ void expect_rectangle(double radius_of_ball, double until, double x, double y, s
   scene.balls.push_back(ball({0.3, 0.21}, {std::sqrt(2.0), 1.0}, R));
   Simulation simulation(scene);
   std::int64_t across_x = 0, across_y = 0;
-  simulation.advance(Number(until), std::nullopt,
-                     [&](const Collision& c) { (simulation.wall_label(c.partner.number)[0] == 'x' ? across_x : across_y) += 1; });
+  simulation.advance(Number(until), std::nullopt, [&](const Collision& c) {
+    (simulation.wall_label(c.partner.number)[0] == 'x' ? across_x : across_y) += 1;
+  });
   EXPECT_EQ(across_x, hits_x);
   EXPECT_EQ(across_y, hits_y);
   const BallState b = simulation.ball(0);

@@ -71,7 +71,8 @@ TEST(TwoBody, oblique_hits_follow_the_normal_and_tangent_recipe) {
       const double e = i % 3 == 0 ? 1.0 : i % 3 == 1 ? 0.5 : 0.0;
       Scene scene = open_space(d);
       scene.collision.restitution = e;
-      const double r1 = dice.between(0.2, 1.0), r2 = dice.between(0.2, 1.0), m1 = dice.between(0.1, 10), m2 = dice.between(0.1, 10);
+      const double r1 = dice.between(0.2, 1.0), r2 = dice.between(0.2, 1.0), m1 = dice.between(0.1, 10),
+                   m2 = dice.between(0.1, 10);
       Coordinates x1, x2, u1, u2;
       for (int k = 0; k < d; ++k) {
         x1.push_back(k == 0 ? -3.0 : dice.between(-0.1, 0.1));
@@ -96,7 +97,8 @@ TEST(TwoBody, oblique_hits_follow_the_normal_and_tangent_recipe) {
         un2 += n[k] * Wider(u2[k]);
       }
       const Wider common = (m1 * un1 + m2 * un2) / (Wider(m1) + m2);
-      const Wider vn1 = common - e * m2 * (un1 - un2) / (Wider(m1) + m2), vn2 = common + e * m1 * (un1 - un2) / (Wider(m1) + m2);
+      const Wider vn1 = common - e * m2 * (un1 - un2) / (Wider(m1) + m2),
+                  vn2 = common + e * m1 * (un1 - un2) / (Wider(m1) + m2);
       for (int k = 0; k < d; ++k) {
         EXPECT_NEAR(result.balls[0].velocity[k], double(Wider(u1[k]) + (vn1 - un1) * n[k]), tolerance);
         EXPECT_NEAR(result.balls[1].velocity[k], double(Wider(u2[k]) + (vn2 - un2) * n[k]), tolerance);

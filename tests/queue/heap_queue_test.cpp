@@ -5,16 +5,16 @@
 #include <gtest/gtest.h>
 
 #include "carom/queue/event_queue.hpp"
-#include "queue/sorted_queue.hpp"
+#include "queue/list_queue.hpp"
 #include "sim/scenes.hpp"
 
 namespace carom {
 namespace {
 
 using testing::Dice;
-using testing::SortedQueue;
+using testing::ListQueue;
 
-static_assert(EventQueue<HeapQueue<double, 2>> && EventQueue<SortedQueue<double, 2>>);
+static_assert(EventQueue<HeapQueue<double, 2>> && EventQueue<ListQueue<double, 2>>);
 
 bool same(const Event<double, 2>& a, const Event<double, 2>& b) { return !precedes(a, b) && !precedes(b, a); }
 
@@ -36,7 +36,7 @@ TEST(HeapQueue, keeps_the_first_event_on_top_through_any_changes) {
   Dice dice(1);
   for (const std::uint32_t slots : {1u, 2u, 7u, 60u}) {
     HeapQueue<double, 2> heap;
-    SortedQueue<double, 2> list;
+    ListQueue<double, 2> list;
     for (int life = 0; life < 2; ++life) {  // reset starts afresh
       heap.reset(slots);
       list.reset(slots);

@@ -18,8 +18,8 @@ void expect_no_overlap(const char* name, const Scene& scene, int audits, std::in
   for (int i = 0; i < audits; ++i) {
     const Stop stop = simulation.advance(std::nullopt, events);
     const Audit truth = simulation.audit(AuditBy::every_pair);
-    ASSERT_EQ(truth.overlaps, 0) << name << ": ball " << truth.ball << " and " << truth.partner << " by " << truth.deepest << " after "
-                                 << simulation.counts().collisions();
+    ASSERT_EQ(truth.overlaps, 0) << name << ": ball " << truth.ball << " and " << truth.partner << " by " << truth.deepest
+                                 << " after " << simulation.counts().collisions();
     // Between events too, where the motion is only looked at.
     simulation.advance(Number(simulation.time() + 1e-3), 1);
     ASSERT_EQ(simulation.audit(AuditBy::every_pair).overlaps, 0) << name;

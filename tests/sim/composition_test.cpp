@@ -7,7 +7,7 @@
 #include "carom/search/all_pairs.hpp"
 #include "carom/sim/event_driven.hpp"
 #include "carom/world/build.hpp"
-#include "queue/sorted_queue.hpp"
+#include "queue/list_queue.hpp"
 #include "search/repeating_pairs.hpp"
 #include "sim/scenes.hpp"
 
@@ -25,8 +25,8 @@ struct BitLog {
   std::vector<Bits>* log;
 
   void operator()(const Record<double, D>& r) const {
-    Bits bits{std::uint64_t(r.time.epoch), std::bit_cast<std::uint64_t>(r.time.offset), std::uint64_t(r.kind), std::uint64_t(r.feature),
-              std::uint64_t(r.tie)};
+    Bits bits{std::uint64_t(r.time.epoch), std::bit_cast<std::uint64_t>(r.time.offset), std::uint64_t(r.kind),
+              std::uint64_t(r.feature), std::uint64_t(r.tie)};
     const auto add = [&](double x) { bits.push_back(std::bit_cast<std::uint64_t>(x)); };
     for (const auto* p : {&r.ball, &r.partner}) {
       bits.push_back(p->number);
@@ -54,7 +54,7 @@ std::vector<Bits> log_of(const Scene& scene, std::int64_t events) {
 template <int D>
 void expect_same_log(const char* what, const Scene& scene, std::int64_t events) {
   using Heap = HeapQueue<double, D>;
-  using List = SortedQueue<double, D>;
+  using List = ListQueue<double, D>;
   const auto log = log_of<D, AllPairs<double, D>, Heap>(scene, events);
   EXPECT_GT(log.size(), 10u) << what;
   EXPECT_EQ(log, (log_of<D, AllPairs<double, D>, List>(scene, events))) << what << ": another queue";

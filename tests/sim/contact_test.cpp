@@ -12,7 +12,8 @@ namespace {
 
 using namespace testing;
 
-// Two touching balls -------------------------------------------------------------------------------------------------------
+// Two touching balls
+// -------------------------------------------------------------------------------------------------------
 
 Result touching_pair(double radius, Coordinates v0, Coordinates v1, double e = 1.0) {
   Scene scene = open_space(static_cast<int>(v0.size()));
@@ -55,7 +56,8 @@ TEST(TouchingPair, in_any_direction) {
     Scene scene = open_space(2);
     scene.collision.restitution = i % 2 == 0 ? 1.0 : 0.0;
     const double x = dice.between(-1.0, 1.0), y = dice.between(-1.0, 1.0);
-    scene.balls = {ball({x, y}, {double(across), double(up)}, r0), ball({double(x + across), double(y + up)}, {0.0, 0.0}, r1, 2.0)};
+    scene.balls = {ball({x, y}, {double(across), double(up)}, r0),
+                   ball({double(x + across), double(y + up)}, {0.0, 0.0}, r1, 2.0)};
     try {
       const Result result = run(scene, 100);
       EXPECT_EQ(result.log.size(), 1u) << i;
@@ -67,7 +69,8 @@ TEST(TouchingPair, in_any_direction) {
   }
 }
 
-// Plastic impacts ----------------------------------------------------------------------------------------------------------
+// Plastic impacts
+// ----------------------------------------------------------------------------------------------------------
 
 // e = 0: the normal velocities become equal up to rounding, of either sign. The pair must not meet again.
 TEST(Plastic, exactly_one_collision) {
@@ -83,7 +86,8 @@ TEST(Plastic, exactly_one_collision) {
       v0.push_back(k == 0 ? dice.between(0.1, 3.0) : 0.0);
       v1.push_back(k == 0 ? dice.between(-3.0, -0.1) : 0.0);
     }
-    scene.balls = {ball(x0, v0, 0.5, dice.between(0.1, 10.0)), ball(x1, v1, dice.between(0.1, 1.0), dice.between(0.1, 10.0))};
+    scene.balls = {ball(x0, v0, 0.5, dice.between(0.1, 10.0)),
+                   ball(x1, v1, dice.between(0.1, 1.0), dice.between(0.1, 10.0))};
     const Result result = run_until(scene, 1e4);
     ASSERT_EQ(result.log.size(), 1u) << d << "-D, case " << i;
     EXPECT_LE(result.summary.energy.relative_error, 1e-15);
@@ -116,7 +120,8 @@ TEST(Plastic, one_hit_on_an_inclined_wall) {
   }
 }
 
-// Grazing ------------------------------------------------------------------------------------------------------------------
+// Grazing
+// ------------------------------------------------------------------------------------------------------------------
 
 TEST(Grazing, one_ulp_decides) {
   const auto hits = [](double b, int d) {
@@ -148,7 +153,8 @@ TEST(Grazing, along_a_wall_is_no_hit) {
   EXPECT_EQ(result.balls[0].position[1], 0.5);
 }
 
-// Walls at the start -------------------------------------------------------------------------------------------------------
+// Walls at the start
+// -------------------------------------------------------------------------------------------------------
 
 std::size_t hits_at_start(Coordinates x, Coordinates v) {
   Scene scene = box({0.0, 0.0}, {10.0, 10.0});
@@ -200,7 +206,8 @@ TEST(Corner, of_a_cube) {
   EXPECT_EQ(result.balls[0].velocity, (std::vector<double>{1.0, 1.0, 1.0})) << "turned round three times";
 }
 
-// Many balls in contact ----------------------------------------------------------------------------------------------------
+// Many balls in contact
+// ----------------------------------------------------------------------------------------------------
 
 TEST(Rack, fifteen_touching_balls_and_a_cue) {
   for (const double aside : {0.0, 1e-9, 0.2, 0.45})
@@ -226,8 +233,10 @@ TEST(Row, passes_the_impulse_on) {
     Scene scene = open_space(2);
     for (int i = 0; i < 8; ++i) {
       const double along = i == 0 ? -3.0 : i;
-      scene.balls.push_back(ball(upwards ? Coordinates{0.25, along} : Coordinates{along, 0.25},
-                                 i > 0 ? Coordinates{} : upwards ? Coordinates{0.0, 1.0} : Coordinates{1.0, 0.0}));
+      scene.balls.push_back(
+          ball(upwards ? Coordinates{0.25, along} : Coordinates{along, 0.25}, i > 0     ? Coordinates{}
+                                                                              : upwards ? Coordinates{0.0, 1.0}
+                                                                                        : Coordinates{1.0, 0.0}));
     }
     const Result result = run(scene, 100);
     EXPECT_EQ(result.log.size(), 7u);
@@ -246,7 +255,8 @@ TEST(TripleHit, of_points_on_a_line_goes_between_neighbours) {
     scene.balls = {ball({-1.0}, {1.0}, 0.0), ball({0.0}, {0.0}, 0.0, 2.0), ball({1.0}, {-1.0}, 0.0)};
     const Result result = run(scene, 100);
     for (const Collision& c : result.log)
-      EXPECT_EQ(c.partner.number, c.ball.number + 1) << "e " << e << ": ball " << c.ball.number << " reached through its neighbour";
+      EXPECT_EQ(c.partner.number, c.ball.number + 1)
+          << "e " << e << ": ball " << c.ball.number << " reached through its neighbour";
     const auto& b = result.balls;
     EXPECT_LE(b[0].velocity[0], b[1].velocity[0]);
     EXPECT_LE(b[1].velocity[0], b[2].velocity[0]);
@@ -254,7 +264,8 @@ TEST(TripleHit, of_points_on_a_line_goes_between_neighbours) {
   }
 }
 
-// Contacts without end -----------------------------------------------------------------------------------------------------
+// Contacts without end
+// -----------------------------------------------------------------------------------------------------
 
 // A heavy ball presses a plastic one against a wall: infinitely many impacts at one instant.
 TEST(Persistent, a_plastic_ball_between_a_ball_and_a_wall) {
@@ -295,8 +306,8 @@ TEST(Persistent, no_granular_gas_hangs) {
   }
 }
 
-// Elastic sequences are never taken for a collapse, however fast: Galperin's wedge with 31415 hits is tested elsewhere; here a
-// ball in a closing gap of two walls' width 1e-9.
+// Elastic sequences are never taken for a collapse, however fast: Galperin's wedge with 31415 hits is tested elsewhere;
+// here a ball in a closing gap of two walls' width 1e-9.
 TEST(Persistent, a_rattling_elastic_ball_is_no_collapse) {
   Scene scene = box({0.0}, {1.0 + 1e-9});
   scene.balls = {ball({0.5}, {1.0})};

@@ -1,4 +1,5 @@
-// Looking never writes: sinks, samples, slices and summaries leave no trace in what follows; nor does the hour of the start.
+// Looking never writes: sinks, samples, slices and summaries leave no trace in what follows; nor does the hour of the
+// start.
 
 #include <gtest/gtest.h>
 
@@ -44,7 +45,8 @@ TEST(Looking, many_slices_and_all_questions_change_nothing) {
     Simulation slices(scene);
     const int parts = 997;
     for (int i = 1; i <= parts; ++i) {
-      slices.advance(Number(i == parts ? until : until * i / parts), std::nullopt, [&](const Collision& c) { sliced.push_back(c); });
+      slices.advance(Number(i == parts ? until : until * i / parts), std::nullopt,
+                     [&](const Collision& c) { sliced.push_back(c); });
       (void)slices.summary();
       (void)slices.balls();
       if (i % 50 == 0) (void)slices.audit(AuditBy::every_pair);
@@ -53,7 +55,8 @@ TEST(Looking, many_slices_and_all_questions_change_nothing) {
     EXPECT_EQ(difference(whole, sliced), "") << name;
 
     Simulation steps(scene);  // one collision at a time, and the rest by time
-    while (steps.advance(Number(until), 1, [&](const Collision& c) { counted.push_back(c); }) == Stop::events) (void)steps.ball(0);
+    while (steps.advance(Number(until), 1, [&](const Collision& c) { counted.push_back(c); }) == Stop::events)
+      (void)steps.ball(0);
     EXPECT_EQ(final_bits(steps), expected) << name << ": stopping after each collision left a trace";
     EXPECT_EQ(difference(whole, counted), "") << name;
 
@@ -76,7 +79,8 @@ TEST(Looking, the_hour_of_the_start_does_not_matter) {
       Scene late = scene;
       late.run.start = epochs * L;
       const Result result = run(late, 500);
-      EXPECT_EQ(difference(log, result.log, static_cast<std::int64_t>(epochs)), "") << name << ", start at epoch " << epochs;
+      EXPECT_EQ(difference(log, result.log, static_cast<std::int64_t>(epochs)), "")
+          << name << ", start at epoch " << epochs;
     }
   }
 }

@@ -84,7 +84,8 @@ class Dice {
 [[nodiscard]] inline Scene mixed_box(int dimension, int balls, double side, std::uint64_t seed, double smallest = 0.5,
                                      double heaviest = 8.0) {
   Dice dice(seed);
-  Scene scene = box(Coordinates(static_cast<std::size_t>(dimension), 0.0), Coordinates(static_cast<std::size_t>(dimension), side));
+  Scene scene =
+      box(Coordinates(static_cast<std::size_t>(dimension), 0.0), Coordinates(static_cast<std::size_t>(dimension), side));
   const int row = static_cast<int>(std::ceil(std::pow(balls, 1.0 / dimension) - 1e-9));
   const double cell = side / row;
   for (int i = 0; i < balls; ++i) {
@@ -129,9 +130,12 @@ class Dice {
   return scene;
 }
 
-// Logs ---------------------------------------------------------------------------------------------------------------------
+// Logs
+// ---------------------------------------------------------------------------------------------------------------------
 
-[[nodiscard]] inline bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
+[[nodiscard]] inline bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
 
 /// The physics of a collision; NaN and the sign of 0 count.
 [[nodiscard]] inline bool same_party(const Collision::Party& a, const Collision::Party& b) {
@@ -146,12 +150,13 @@ class Dice {
 [[nodiscard]] inline bool same_collision(const Collision& a, const Collision& b, std::int64_t epochs = 0) {
   return a.epoch + epochs == b.epoch && same_bits(a.offset, b.offset) && a.kind == b.kind && a.feature == b.feature &&
          same_party(a.ball, b.ball) && same_party(a.partner, b.partner) && same_bits(a.impulse, b.impulse) &&
-         same_bits(a.gap, b.gap) && same_bits(a.dissipated, b.dissipated) && same_bits(a.injected, b.injected) && a.tie == b.tie;
+         same_bits(a.gap, b.gap) && same_bits(a.dissipated, b.dissipated) && same_bits(a.injected, b.injected) &&
+         a.tie == b.tie;
 }
 
 inline std::ostream& show(std::ostream& out, const Collision& c) {
-  out << "epoch " << c.epoch << " offset " << c.offset << " kind " << int(c.kind) << " ball " << c.ball.number << " partner "
-      << c.partner.number << std::hexfloat;
+  out << "epoch " << c.epoch << " offset " << c.offset << " kind " << int(c.kind) << " ball " << c.ball.number
+      << " partner " << c.partner.number << std::hexfloat;
   for (const auto* p : {&c.ball, &c.partner})
     out << " x " << p->position[0] << ' ' << p->position[1] << " v " << p->velocity_after[0] << ' ' << p->velocity_after[1];
   return out << std::defaultfloat << " tie " << c.tie;

@@ -1,4 +1,5 @@
-// What the laws of mechanics do not see, the simulator does not see: numbers, mirrors, frames, units, the direction of time.
+// What the laws of mechanics do not see, the simulator does not see: numbers, mirrors, frames, units, the direction of
+// time.
 
 #include <gtest/gtest.h>
 
@@ -158,7 +159,8 @@ TEST(Symmetry, units_are_conventions) {
   expect_property(
       [] {
         const Scene scene = scene_of(any_choice());
-        const int length = *rc::gen::inRange(-100, 101), time = *rc::gen::inRange(-100, 101), mass = *rc::gen::inRange(-100, 101);
+        const int length = *rc::gen::inRange(-100, 101), time = *rc::gen::inRange(-100, 101),
+                  mass = *rc::gen::inRange(-100, 101);
         Scene other = scene;
         for (BallSpec& b : other.balls) {
           for (Number& x : b.position) x = std::ldexp(x, length);

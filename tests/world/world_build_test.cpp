@@ -26,7 +26,8 @@ std::vector<Problem> problems_of(const Scene& scene) {
 
 Scene read(const std::string& text) { return read_scene(text, "scene.toml"); }
 
-// Refusals -----------------------------------------------------------------------------------------------------------------
+// Refusals
+// -----------------------------------------------------------------------------------------------------------------
 
 TEST(Refused, overlapping_balls_with_their_names_the_depth_and_the_line) {
   const auto problems = problems_of(read(R"(dimension = 2
@@ -68,7 +69,8 @@ TEST(Refused, balls_outside_the_box_or_across_its_faces) {
 
 TEST(Refused, balls_across_walls) {
   Scene scene = open_space(2);
-  scene.walls = {plane({0.0, 0.0}, {0.0, 1.0}), circle({0.0, 5.0}, 3.0, WallSide::inside), circle({0.0, 5.0}, 0.5, WallSide::outside)};
+  scene.walls = {plane({0.0, 0.0}, {0.0, 1.0}), circle({0.0, 5.0}, 3.0, WallSide::inside),
+                 circle({0.0, 5.0}, 0.5, WallSide::outside)};
   scene.balls = {ball({0.0, 2.25}, {}), ball({0.0, 5.75}, {}), ball({2.0, 5.0}, {})};
   const auto problems = problems_of(scene);
   ASSERT_EQ(problems.size(), 2u);
@@ -124,7 +126,8 @@ TEST(Refused, a_start_beyond_the_clock) {
   EXPECT_FALSE(problems_of(scene).empty());
 }
 
-// Contacts at the start ----------------------------------------------------------------------------------------------------
+// Contacts at the start
+// ----------------------------------------------------------------------------------------------------
 
 TEST(StartContacts, are_state) {
   Scene scene = box({0.0, 0.0}, {10.0, 10.0});
@@ -157,7 +160,8 @@ TEST(StartContacts, of_a_rack_are_thirty) {
       }
 }
 
-// Units --------------------------------------------------------------------------------------------------------------------
+// Units
+// --------------------------------------------------------------------------------------------------------------------
 
 // L is a power of two, at most about 2^-12 of the time in which the fastest possible ball crosses the smallest length.
 TEST(Units, epochs_are_short_against_a_crossing) {
@@ -194,7 +198,8 @@ TEST(ClockTime, counts_the_text_and_not_its_double) {
   EXPECT_TRUE(clock_time<double>(Number(1e40), 0).is_never());
 }
 
-// Two balls at one number -------------------------------------------------------------------------------------------------------
+// Two balls at one number
+// -------------------------------------------------------------------------------------------------------
 
 TEST(Numbering, balls_then_lattices_and_walls_then_faces) {
   Scene scene = box({-20.0, -20.0}, {20.0, 20.0});

@@ -256,17 +256,26 @@ class Collider {
   }
   /// ... and after it.
   void keep_sides(WorldType& world, std::uint32_t i) {
+    using std::abs;
     if constexpr (D == 2) {
       const Ball<Real, D>& ball = world.balls[i];
       for (std::size_t k = 0; k < sides_.size(); ++k) {
         const Segment<Real>& s = world.walls.segments[k];
         const Vector at = ball.position - drift(world, s, ball.time);
         if (sides_[k] == 0 || sides_[k] * s.height(at) > 0) continue;
+        if (abs(s.height(at)) > position_doubt(at, s)) continue;  // it flew across the line, beside the segment
         if (dot<Real, D>(s.along, at - s.from) < 0 || dot<Real, D>(s.along, at - s.to) > 0) continue;
         if (wall_contact(world, i, index(s.wall), s.feature) != nullptr) continue;
         hold_contact(world, i, Contact<D>{Party::wall, index(s.wall), s.feature, {}, sides_[k], false, 0, 0});
       }
     }
+  }
+
+  /// How far rounding can put a stored point off its path, and the height that is computed of it off the truth: at most 8 u of the
+  /// coordinates in play (two roundings of the advance, three of the height).
+  [[nodiscard]] static Real position_doubt(const Vec<Real, 2>& at, const Segment<Real>& s) {
+    using std::abs;
+    return 8 * unit_roundoff<Real>() * (abs(at[0]) + abs(at[1]) + abs(s.from[0]) + abs(s.from[1]));
   }
 
   // A wall as the infinite mass of an impact.

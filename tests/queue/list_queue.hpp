@@ -9,10 +9,10 @@
 namespace carom::testing {
 
 template <class Real, int D>
-class SortedQueue {
+class ListQueue {
  public:
   using EventType = Event<Real, D>;
-  static constexpr const char* name = "sorted list";
+  static constexpr const char* name = "list";
 
   void reset(std::uint32_t slots) { events_.assign(slots, EventType{}); }
   void assign(std::uint32_t slot, const EventType& event) { events_[slot] = event; }
