@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "carom/core/error.hpp"
+#include "carom/observe/observers.hpp"
 #include "carom/sim/simulation.hpp"
 #include "carom/write/checkpoint_file.hpp"
 #include "carom/write/summary_json.hpp"
@@ -35,8 +36,8 @@ double peak_memory_mb() {
 }
 
 /// Runs, and fills the files as it goes. A write that fails ends the run.
-RunReport carry_out(Simulation& simulation, const Scene& scene, RunOutputs& outputs, Checkpoints& checkpoints,
-                    Interrupt& interrupt, std::ostream* screen) {
+RunReport carry_out(Simulation& simulation, const Scene& scene, Observers& observers, RunOutputs& outputs,
+                    Checkpoints& checkpoints, Interrupt& interrupt, std::ostream* screen) {
   RunReport report;
   Progress progress(screen, scene.run);
   Watchers watchers;
@@ -45,8 +46,10 @@ RunReport carry_out(Simulation& simulation, const Scene& scene, RunOutputs& outp
     progress.show(simulation);
     checkpoints.look(simulation);
   };
+  watchers.collision = observers.sink();
   if (EventsCsv* log = outputs.events())
-    watchers.collision = [log, &interrupt](const Collision& collision) {
+    watchers.collision = [log, &interrupt, &observers](const Collision& collision) {
+      observers.collision(collision);
       log->write(collision);
       if (log->failed()) interrupt.flag() = true;
     };
@@ -57,6 +60,9 @@ RunReport carry_out(Simulation& simulation, const Scene& scene, RunOutputs& outp
     };
   run_to_the_end(simulation, scene.run, watchers);
   report.seconds = progress.seconds();
+  observers.end(simulation);
+  report.observed = observers.estimates();
+  if (SpeedHistogramCsv* speeds = outputs.speeds()) speeds->write(*observers.speed_table());
   report.summary = simulation.summary();
   return report;
 }
@@ -114,6 +120,7 @@ ExitStatus run(const RunOptions& options, const Console& console) {
   const Scene scene = read_scene(options.scene);
   Simulation simulation(scene);
   if (!options.resume.empty()) read_checkpoint(options.resume, simulation);
+  Observers observers(scene, simulation);
   RunOutputs outputs(scene, options.out, simulation);
   if (!options.out.empty() && !outputs.any() && scene.output.checkpoint.empty() && options.checkpoint.empty() && !options.quiet)
     console.err << "carom: nothing is written to \"" << options.out << "\": the scene has no files under [output].\n";
@@ -121,7 +128,7 @@ ExitStatus run(const RunOptions& options, const Console& console) {
   Checkpoints checkpoints(scene, options.checkpoint, options.out, simulation);
   Interrupt interrupt;
   const bool watched = console.err_is_terminal && !options.quiet;
-  RunReport report = carry_out(simulation, scene, outputs, checkpoints, interrupt, watched ? &console.err : nullptr);
+  RunReport report = carry_out(simulation, scene, observers, outputs, checkpoints, interrupt, watched ? &console.err : nullptr);
   std::string unwritten = outputs.finish(report.summary.stopped_by);
   const std::string unsaved = checkpoints.finish(simulation);
   unwritten += (unwritten.empty() || unsaved.empty() ? "" : "\n") + unsaved;

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <system_error>
+#include <tuple>
 
 #include "carom/core/error.hpp"
 
@@ -10,6 +11,8 @@ namespace carom::app {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr const char* speeds_file = "speed_histogram.csv";
 
 fs::path place(const Scene& scene, const std::string& folder, const std::string& file, const char* key) {
   const fs::path path = folder.empty() ? fs::path(file) : fs::path(folder) / file;
@@ -36,9 +39,17 @@ RunOutputs::RunOutputs(const Scene& scene, const std::string& folder, const Simu
   const fs::path trajectory = place(scene, folder, output.trajectory, "output.trajectory");
   if (!output.events.empty() && events.lexically_normal() == trajectory.lexically_normal())
     throw InputError(Problem{scene.file, output.where.line, "output.events and output.trajectory are one file", "", ""});
+  const bool speeds = scene.observe.speed_histogram;
+  const fs::path speeds_path = place(scene, folder, speeds ? speeds_file : "", "the table of observe.speed_histogram");
+  for (const auto& [file, path, key] : {std::tuple(output.events, events, "output.events"),
+                                        std::tuple(output.trajectory, trajectory, "output.trajectory")})
+    if (speeds && !file.empty() && path.lexically_normal() == speeds_path.lexically_normal())
+      throw InputError(Problem{scene.file, output.where.line, std::string(key) + " is " + speeds_file,
+                               "observe.speed_histogram writes that file", "Choose another name"});
   if (!folder.empty()) make_folder(folder);
   if (!output.events.empty()) events_.emplace(events.string(), simulation, scene.title);
   if (!output.trajectory.empty()) trajectory_.emplace(trajectory.string(), simulation, scene.title);
+  if (speeds) speeds_.emplace(speeds_path.string(), simulation, scene.title);
 }
 
 std::string RunOutputs::finish(Stop stopped_by) {
@@ -53,6 +64,7 @@ std::string RunOutputs::finish(Stop stopped_by) {
   };
   end(events_);
   end(trajectory_);
+  end(speeds_);
   return problems;
 }
 

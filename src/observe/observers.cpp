@@ -91,12 +91,13 @@ Observers::AnyObserver Observers::make(Kind kind, const Subject& subject) {
 Observers::Observers(const Scene& scene, const Simulation& simulation)
     : flights_(subject_of(scene, simulation), Time<double>{}),
       kinds_(kinds_for(scene, flights_.subject())),
-      after_events_(scene.observe.after_events) {
+      after_events_(scene.observe.after_events),
+      seen_(simulation.counts().collisions()) {
   const Time<double> start = moment(simulation.time());
   flights_.begin(start);
   after_ = last_ = start;
   if (scene.observe.after_time) after_ = std::max(after_, moment(*scene.observe.after_time));
-  if (any() && after_ == start && after_events_.value_or(0) == 0) begin(start);
+  if (any() && after_ == start && after_events_.value_or(0) <= seen_) begin(start);
 }
 
 Time<double> Observers::moment(double t) const {

@@ -46,6 +46,21 @@ Json exactness(const ExactnessSummary& e) {
           {"repredicted", e.repredicted}};
 }
 
+/// A dot in a name goes one level down.
+Json observed(const Estimates& estimates) {
+  Json tree = Json::object();
+  for (const Estimate& e : estimates) {
+    Json* place = &tree;
+    std::size_t from = 0;
+    for (std::size_t dot = e.name.find('.'); dot != std::string::npos; dot = e.name.find('.', from)) {
+      place = &(*place)[e.name.substr(from, dot - from)];
+      from = dot + 1;
+    }
+    (*place)[e.name.substr(from)] = {{"value", e.value}, {"error", e.error}};
+  }
+  return tree;
+}
+
 Json final_state(const std::vector<BallState>& balls) {
   Json list = Json::array();
   for (const BallState& b : balls)
@@ -77,7 +92,7 @@ std::string summary_json(const RunReport& report) {
   j["momentum"] = momentum(s.momentum);
   j["angular_momentum"] = angular_momentum(s.angular_momentum);
   j["exactness"] = exactness(s.exactness);
-  j["observed"] = Json::object();
+  j["observed"] = observed(report.observed);
   if (report.final) j["final"] = final_state(*report.final);
   j["seconds"] = report.seconds;
   j["collisions_per_second"] = report.collisions_per_second();

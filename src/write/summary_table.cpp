@@ -88,6 +88,17 @@ void add_exactness(Table& table, const ExactnessSummary& e) {
   table.row("counted", fmt::format("{} clamped, {} unresolved, {} singular", e.clamped, e.unresolved, e.singular));
 }
 
+void add_observed(Table& table, const Estimates& observed) {
+  if (observed.empty()) return;
+  std::size_t width = 0;
+  for (const Estimate& e : observed) width = std::max(width, e.name.size());
+  table.line("\n  observed (with one standard error)");
+  for (const Estimate& e : observed)
+    table.line(fmt::format("    {:<{}}  {}{}", e.name, width, std::isnan(e.value) ? "not measured" : number(e.value),
+                           std::isnan(e.error) ? "" : " +- " + size(e.error)));
+  table.line("");
+}
+
 void add_cost(Table& table, const RunReport& r) {
   table.row("took", fmt::format("{:.3g} s, {:.3g} collisions/s, {:.3g} MB", r.seconds, r.collisions_per_second(),
                                 r.peak_memory_mb));
@@ -129,6 +140,7 @@ std::string summary_table(const RunReport& report, Colour colour) {
   add_balance(table, "angular momentum", s.angular_momentum,
               "walls, forces, balls of infinite mass or a periodic space change it");
   add_exactness(table, s.exactness);
+  add_observed(table, report.observed);
   add_cost(table, report);
   if (report.final) add_final(table, *report.final, s.dimension);
   return table.text();

@@ -12,8 +12,7 @@ namespace {
 
 using namespace testing;
 
-// Two touching balls
-// -------------------------------------------------------------------------------------------------------
+// Two touching balls.
 
 Result touching_pair(double radius, Coordinates v0, Coordinates v1, double e = 1.0) {
   Scene scene = open_space(static_cast<int>(v0.size()));
@@ -69,8 +68,7 @@ TEST(TouchingPair, in_any_direction) {
   }
 }
 
-// Plastic impacts
-// ----------------------------------------------------------------------------------------------------------
+// Plastic impacts.
 
 // e = 0: the normal velocities become equal up to rounding, of either sign. The pair must not meet again.
 TEST(Plastic, exactly_one_collision) {
@@ -120,8 +118,7 @@ TEST(Plastic, one_hit_on_an_inclined_wall) {
   }
 }
 
-// Grazing
-// ------------------------------------------------------------------------------------------------------------------
+// Grazing.
 
 TEST(Grazing, one_ulp_decides) {
   const auto hits = [](double b, int d) {
@@ -153,8 +150,7 @@ TEST(Grazing, along_a_wall_is_no_hit) {
   EXPECT_EQ(result.balls[0].position[1], 0.5);
 }
 
-// Walls at the start
-// -------------------------------------------------------------------------------------------------------
+// Walls at the start.
 
 std::size_t hits_at_start(Coordinates x, Coordinates v) {
   Scene scene = box({0.0, 0.0}, {10.0, 10.0});
@@ -206,8 +202,7 @@ TEST(Corner, of_a_cube) {
   EXPECT_EQ(result.balls[0].velocity, (std::vector<double>{1.0, 1.0, 1.0})) << "turned round three times";
 }
 
-// Many balls in contact
-// ----------------------------------------------------------------------------------------------------
+// Many balls in contact.
 
 TEST(Rack, fifteen_touching_balls_and_a_cue) {
   for (const double aside : {0.0, 1e-9, 0.2, 0.45})
@@ -264,8 +259,7 @@ TEST(TripleHit, of_points_on_a_line_goes_between_neighbours) {
   }
 }
 
-// Contacts without end
-// -----------------------------------------------------------------------------------------------------
+// Contacts without end.
 
 // A heavy ball presses a plastic one against a wall: infinitely many impacts at one instant.
 TEST(Persistent, a_plastic_ball_between_a_ball_and_a_wall) {

@@ -130,8 +130,7 @@ class Dice {
   return scene;
 }
 
-// Logs
-// ---------------------------------------------------------------------------------------------------------------------
+// Logs.
 
 [[nodiscard]] inline bool same_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);

@@ -26,8 +26,7 @@ std::vector<Problem> problems_of(const Scene& scene) {
 
 Scene read(const std::string& text) { return read_scene(text, "scene.toml"); }
 
-// Refusals
-// -----------------------------------------------------------------------------------------------------------------
+// Refusals.
 
 TEST(Refused, overlapping_balls_with_their_names_the_depth_and_the_line) {
   const auto problems = problems_of(read(R"(dimension = 2
@@ -126,8 +125,7 @@ TEST(Refused, a_start_beyond_the_clock) {
   EXPECT_FALSE(problems_of(scene).empty());
 }
 
-// Contacts at the start
-// ----------------------------------------------------------------------------------------------------
+// Contacts at the start.
 
 TEST(StartContacts, are_state) {
   Scene scene = box({0.0, 0.0}, {10.0, 10.0});
@@ -160,8 +158,7 @@ TEST(StartContacts, of_a_rack_are_thirty) {
       }
 }
 
-// Units
-// --------------------------------------------------------------------------------------------------------------------
+// Units.
 
 // L is a power of two, at most about 2^-12 of the time in which the fastest possible ball crosses the smallest length.
 TEST(Units, epochs_are_short_against_a_crossing) {
@@ -198,8 +195,7 @@ TEST(ClockTime, counts_the_text_and_not_its_double) {
   EXPECT_TRUE(clock_time<double>(Number(1e40), 0).is_never());
 }
 
-// Two balls at one number
-// -------------------------------------------------------------------------------------------------------
+// Two balls at one number.
 
 TEST(Numbering, balls_then_lattices_and_walls_then_faces) {
   Scene scene = box({-20.0, -20.0}, {20.0, 20.0});

@@ -20,7 +20,7 @@ namespace carom {
 /// collisions (those of its moment that follow count), or after a time (collisions at it do not count).
 class Observers {
  public:
-  /// The simulation is at the beginning of its run. Throws InputError if something that is asked for has no meaning in the
+  /// The simulation is at the beginning of its run, or where a resumed run goes on (measuring starts anew). Throws InputError if something that is asked for has no meaning in the
   /// scene; names and reasons are those of the problems.
   Observers(const Scene& scene, const Simulation& simulation);
   Observers(const Observers&) = delete;
@@ -57,9 +57,9 @@ class Observers {
   Flights flights_;
   std::vector<Kind> kinds_;
   std::optional<std::int64_t> after_events_;
+  std::int64_t seen_;   // collisions so far
   Time<double> after_;  // no earlier than the start
-  std::int64_t seen_ = 0;
-  Time<double> last_;  // collision, or the start
+  Time<double> last_;   // collision, or the start
   std::optional<Time<double>> began_;
   std::vector<AnyObserver> observers_;  // made when measuring begins
 };

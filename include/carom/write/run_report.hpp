@@ -4,12 +4,14 @@
 #include <optional>
 #include <vector>
 
+#include "carom/observe/estimate.hpp"
 #include "carom/sim/summary.hpp"
 
 namespace carom {
 
 struct RunReport {
   Summary summary;
+  Estimates observed;                           ///< what [observe] asks for
   std::optional<std::vector<BallState>> final;  ///< the balls that are left; none: not asked for
   double seconds = 0.0;                         ///< [s] wall time of the run, without the building of the scene
   double peak_memory_mb = 0.0;                  ///< [MiB] of the process
