@@ -128,7 +128,8 @@ ExitStatus run(const RunOptions& options, const Console& console) {
   Checkpoints checkpoints(scene, options.checkpoint, options.out, simulation);
   Interrupt interrupt;
   const bool watched = console.err_is_terminal && !options.quiet;
-  RunReport report = carry_out(simulation, scene, observers, outputs, checkpoints, interrupt, watched ? &console.err : nullptr);
+  RunReport report =
+      carry_out(simulation, scene, observers, outputs, checkpoints, interrupt, watched ? &console.err : nullptr);
   std::string unwritten = outputs.finish(report.summary.stopped_by);
   const std::string unsaved = checkpoints.finish(simulation);
   unwritten += (unwritten.empty() || unsaved.empty() ? "" : "\n") + unsaved;

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "carom/core/number.hpp"
+#include "carom/core/rational.hpp"
 #include "carom/scene/scene.hpp"
 
 namespace carom::app {

@@ -1,4 +1,5 @@
 #include "carom/core/number.hpp"
+#include "carom/core/rational.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -9,7 +9,8 @@ namespace carom {
 /// sqrt(2/n) Gamma((n + 1)/2) / Gamma(n/2): mean of the length of n normal variables over the root of its mean square;
 /// n > 0. Relative error below 1e-11.
 [[nodiscard]] inline double mean_length_ratio(double n) {
-  if (n > 1e3) return 1 - 1 / (4 * n) * (1 - 1 / (8 * n) * (1 + 5 / (4 * n)));  // Stirling's series; next term 21/(2048 n^4)
+  if (n > 1e3)
+    return 1 - 1 / (4 * n) * (1 - 1 / (8 * n) * (1 + 5 / (4 * n)));  // Stirling's series; next term 21/(2048 n^4)
   return std::sqrt(2 / n) * std::exp(std::lgamma((n + 1) / 2) - std::lgamma(n / 2));
 }
 

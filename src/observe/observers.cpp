@@ -27,8 +27,8 @@ class Judgement {
   explicit Judgement(const Scene& scene) : scene_(scene) {}
 
   void refuse(const std::string& key, std::string why, std::string hint) {
-    problems_.push_back({scene_.file, scene_.observe.where.line, "observe." + key + " has no meaning in this scene", std::move(why),
-                         std::move(hint)});
+    problems_.push_back({scene_.file, scene_.observe.where.line, "observe." + key + " has no meaning in this scene",
+                         std::move(why), std::move(hint)});
   }
   void throw_if_any() {
     if (!problems_.empty()) throw InputError(std::move(problems_));

@@ -25,7 +25,8 @@ SpeedHistogram::SpeedHistogram(const Subject& subject)
     : dimension_(subject.dimension), width_(rms_speed(subject) / bins_to_the_rms_speed), moments_(subject.epoch_length) {
   for (std::uint32_t i = 0; i < subject.mass.size(); ++i) {
     if (!subject.moves_freely(i)) continue;
-    const auto same = std::find_if(species_.begin(), species_.end(), [&](const Species& s) { return s.mass == subject.mass[i]; });
+    const auto same =
+        std::find_if(species_.begin(), species_.end(), [&](const Species& s) { return s.mass == subject.mass[i]; });
     if (same == species_.end()) {
       species_.push_back({subject.mass[i], 1});
     } else {

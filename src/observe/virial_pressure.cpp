@@ -68,10 +68,9 @@ Estimates VirialPressure::estimates() const {
   using Sums = decltype(sums_)::Sums;
   const auto kT = [this](const Sums& s) { return 2 * s[1] / (s[0] * freedom_); };
   const auto z = [this, kT](const Sums& s, double virial) { return 1 + virial / (dimension_ * count_ * kT(s) * s[0]); };
-  Estimates list{
-      sums_.estimate("pressure.Z", [&](const Sums& s) { return z(s, s[2]); }),
-      sums_.estimate("pressure.virial", [&](const Sums& s) { return z(s, s[2]) * count_ * kT(s) / volume_; }),
-      sums_.estimate("pressure.kT", kT)};
+  Estimates list{sums_.estimate("pressure.Z", [&](const Sums& s) { return z(s, s[2]); }),
+                 sums_.estimate("pressure.virial", [&](const Sums& s) { return z(s, s[2]) * count_ * kT(s) / volume_; }),
+                 sums_.estimate("pressure.kT", kT)};
   if (dimension_ > 1) list.push_back(sums_.estimate("pressure.Z_rate", [&](const Sums& s) { return z(s, s[3]); }));
   return list;
 }

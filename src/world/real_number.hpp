@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "carom/core/number.hpp"
+#include "carom/core/rational.hpp"
 
 namespace carom {
 

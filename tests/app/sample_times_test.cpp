@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "carom/core/rational.hpp"
+
 namespace carom::app {
 namespace {
 

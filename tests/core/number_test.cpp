@@ -1,6 +1,7 @@
 // Numbers as text: what is read, what it is exactly, and that it is rounded once.
 
 #include "carom/core/number.hpp"
+#include "carom/core/rational.hpp"
 
 #include <bit>
 #include <chrono>

@@ -91,8 +91,8 @@ TEST(BlockSums, errors_are_right_for_correlated_data) {
   EXPECT_NEAR(stated / ((1 + rho) / (1 - rho) / steps), 1.0, 0.06);  // blocks of 512 steps lose 2 %
 }
 
-// A ratio of two fluctuating sums, and a square: functions that are not linear. With y of mean 2, x = 3 y + noise, the ratio's
-// error is that of the noise alone, sigma / (2 sqrt(n)); that of ybar^2 is 2 ybar sigma_y / sqrt(n).
+// A ratio of two fluctuating sums, and a square: functions that are not linear. With y of mean 2, x = 3 y + noise, the
+// ratio's error is that of the noise alone, sigma / (2 sqrt(n)); that of ybar^2 is 2 ybar sigma_y / sqrt(n).
 TEST(BlockSums, errors_of_functions_follow_them) {
   constexpr int steps = 48 * 256, chains = 100;
   double ratio = 0, square = 0;

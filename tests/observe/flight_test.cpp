@@ -69,7 +69,8 @@ TEST(Flight, agrees_with_numerical_integration) {
     EXPECT_NEAR(f.square(), integral(f, 4000, [](double s) { return s * s; }), 1e-5 * f.square());
     EXPECT_NEAR(f.fourth(), integral(f, 4000, [](double s) { return s * s * s * s; }), 1e-5 * f.fourth());
     const double middle = 0.5 * (f.top_speed() + speed_at(f, f.duration / 2));
-    EXPECT_NEAR(f.time_below(middle), integral(f, 4000, [&](double s) { return s < middle ? 1.0 : 0.0; }), 2e-3 * f.duration);
+    EXPECT_NEAR(f.time_below(middle), integral(f, 4000, [&](double s) { return s < middle ? 1.0 : 0.0; }),
+                2e-3 * f.duration);
   }
 }
 

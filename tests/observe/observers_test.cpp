@@ -25,8 +25,8 @@ Scene shuttle(double until) {
   return scene;
 }
 
-// 10 hits in 100: rate 1/10, path 10 with the halves at both ends; each face takes 2 m v in 20, a force of 1/10. The virial:
-// kT = 2E = 1, r J = 1/2 2 a hit, Z = 1 + 10 / 100, P = kT Z / L = 1.1 / 11.
+// 10 hits in 100: rate 1/10, path 10 with the halves at both ends; each face takes 2 m v in 20, a force of 1/10. The
+// virial: kT = 2E = 1, r J = 1/2 2 a hit, Z = 1 + 10 / 100, P = kT Z / L = 1.1 / 11.
 TEST(Observers, a_rod_between_two_faces) {
   const Measured m = measure(shuttle(100));
   EXPECT_DOUBLE_EQ(m["collision_rate"], 0.1);
@@ -131,8 +131,9 @@ TEST(Observers, a_bouncing_ball) {
   Scene scene = testing::box({0, 0}, {3, 100});
   scene.motion.acceleration = {0, -8};
   scene.balls = {ball({1.5, 4.5}, {0, 0}, 0.5, 2)};  // h = 4: speed 8, period 2
-  scene.run.until = 200.0;                              // 1, 3, ..., 199: 100 hits
-  scene.observe.collision_rate = scene.observe.mean_free_path = scene.observe.pressure = scene.observe.speed_histogram = true;
+  scene.run.until = 200.0;                           // 1, 3, ..., 199: 100 hits
+  scene.observe.collision_rate = scene.observe.mean_free_path = scene.observe.pressure = scene.observe.speed_histogram =
+      true;
   const Measured m = measure(scene);
   EXPECT_DOUBLE_EQ(m["mean_free_path"], 8);
   EXPECT_DOUBLE_EQ(m["mean_free_time"], 2);

@@ -39,7 +39,8 @@ Scene periodic() {
 TEST(Refusals, pressure_of_open_space) {
   Scene scene = two_balls(testing::open_space(2));
   scene.observe.pressure = true;
-  EXPECT_THAT(refused(scene), ElementsAre(HasSubstr("observe.pressure has no meaning in this scene | an open space has no vol")));
+  EXPECT_THAT(refused(scene),
+              ElementsAre(HasSubstr("observe.pressure has no meaning in this scene | an open space has no vol")));
   scene.observe.pressure = false;
   scene.observe.collision_rate = scene.observe.mean_free_path = scene.observe.speed_histogram = true;
   EXPECT_THAT(refused(scene), ElementsAre());

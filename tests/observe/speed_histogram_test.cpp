@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "observe/measure.hpp"
 #include "observe/maxwell.hpp"
+#include "observe/measure.hpp"
 #include "sim/scenes.hpp"
 
 namespace carom {
@@ -16,7 +16,8 @@ namespace {
 using testing::measure;
 using testing::Measured;
 
-// c = sqrt(2/n) Gamma((n + 1)/2) / Gamma(n/2): sqrt(2/pi), sqrt(pi)/2, sqrt(8/(3 pi)); and c(n) c(n + 1) = sqrt(n / (n + 1)).
+// c = sqrt(2/n) Gamma((n + 1)/2) / Gamma(n/2): sqrt(2/pi), sqrt(pi)/2, sqrt(8/(3 pi)); and c(n) c(n + 1) = sqrt(n / (n +
+// 1)).
 TEST(Maxwell, mean_length_ratio) {
   EXPECT_NEAR(mean_length_ratio(1), std::sqrt(2 / std::numbers::pi), 1e-15);
   EXPECT_NEAR(mean_length_ratio(2), std::sqrt(std::numbers::pi) / 2, 1e-15);

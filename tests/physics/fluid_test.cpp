@@ -42,8 +42,8 @@ void expect_near(const Estimate& e, double expected, double largest_error) {
   EXPECT_GT(e.error, 0) << e.name;
 }
 
-// [HansenGoos2016], a fit to simulations good to 1e-4: Z = 1.96823, 3.26936, 4.29485 at rho = 0.3, 0.5, 0.6. The rate per ball is
-// Gamma = 6/sqrt(pi) (Z - 1), the mean speed sqrt(8/pi), so the mean free path is sqrt(8/pi) / Gamma; V = N / rho.
+// [HansenGoos2016], a fit to simulations good to 1e-4: Z = 1.96823, 3.26936, 4.29485 at rho = 0.3, 0.5, 0.6. The rate per
+// ball is Gamma = 6/sqrt(pi) (Z - 1), the mean speed sqrt(8/pi), so the mean free path is sqrt(8/pi) / Gamma; V = N / rho.
 TEST(Fluid, hard_spheres) {
   const struct {
     double rho, z;
@@ -99,7 +99,8 @@ TEST(Fluid, rods_in_a_box) {
   const double z = 1 / (1 - 0.4), force = 2 * m.summary.energy.initial / 30;
   EXPECT_NEAR(m["pressure.Z"], z, 1e-3 * z);
   EXPECT_NEAR(m["pressure.virial"], force, 1e-3 * force);
-  for (const char* name : {"pressure.wall", "pressure.face.x-", "pressure.face.x+"}) EXPECT_NEAR(m[name], force, 1e-3 * force);
+  for (const char* name : {"pressure.wall", "pressure.face.x-", "pressure.face.x+"})
+    EXPECT_NEAR(m[name], force, 1e-3 * force);
 }
 
 // A box: the virial with faces as partners, the impulses on the faces, and the rates are three views of one pressure.
@@ -142,13 +143,15 @@ Scene mixture(std::int64_t events) {
 // [Mansoori1971, eq. 10]: with x_k = (pi/6) sum rho_i sigma_i^k,
 //   Z = (6 / (pi rho)) (x_0/(1 - x_3) + 3 x_1 x_2/(1 - x_3)^2 + x_2^3 (3 - x_3)/(1 - x_3)^3),
 // good to 0.1 % below a packing of 0.25; masses do not enter. Here 0.222.
-// Speeds scaled with sqrt(m) are Maxwell's whatever the masses, but for the fixed energy: <u^4> is lower by D_f / (D_f + 2).
+// Speeds scaled with sqrt(m) are Maxwell's whatever the masses, but for the fixed energy: <u^4> is lower by D_f / (D_f +
+// 2).
 TEST(Fluid, mixture_in_equilibrium) {
   double x[4];
   for (int k = 0; k < 4; ++k)
     x[k] = std::numbers::pi / 6 * (300 * std::pow(0.8, k) + 150 * std::pow(1.4, k)) / (11.0 * 11 * 11);
   const double left = 1 - x[3];
-  const double z = (x[0] / left + 3 * x[1] * x[2] / (left * left) + std::pow(x[2], 3) * (3 - x[3]) / std::pow(left, 3)) / x[0];
+  const double z =
+      (x[0] / left + 3 * x[1] * x[2] / (left * left) + std::pow(x[2], 3) * (3 - x[3]) / std::pow(left, 3)) / x[0];
   const Measured m = measure(mixture(300'000));
   EXPECT_NEAR(m["pressure.Z"], z, slack() * 0.006 * z);
   EXPECT_NEAR(m["pressure.Z_rate"], z, slack() * 0.006 * z);

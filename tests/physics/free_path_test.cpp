@@ -12,10 +12,10 @@
 namespace carom {
 namespace {
 
+using std::numbers::pi;
 using testing::measure;
 using testing::Measured;
 using testing::scaled_count;
-using std::numbers::pi;
 
 BallSpec disk(Coordinates centre, double radius) {
   BallSpec d = testing::ball(centre, {}, radius);
@@ -34,8 +34,8 @@ void expect_free_path(Scene scene, double expected, double speed = 1) {
   EXPECT_EQ(m.summary.exactness.clamped, 0);
 }
 
-// Disks of radius 1 on a triangular lattice of spacing 2 + w: |Q| = sqrt(3) (2 + w)^2 / 2 - pi a disk, |dQ| = 2 pi. The cell is
-// a rectangle 1 : sqrt(3) with two disks.
+// Disks of radius 1 on a triangular lattice of spacing 2 + w: |Q| = sqrt(3) (2 + w)^2 / 2 - pi a disk, |dQ| = 2 pi. The
+// cell is a rectangle 1 : sqrt(3) with two disks.
 TEST(FreePath, triangular_lorentz_gas) {
   for (const double w : {0.3, 1.0}) {
     const double a = 2 + w;

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "carom/core/rational.hpp"
 #include "carom/scene/read.hpp"
 #include "carom/scene/validate.hpp"
 #include "full_scene.hpp"

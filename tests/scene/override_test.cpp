@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "carom/core/rational.hpp"
 #include "carom/scene/read.hpp"
 #include "full_scene.hpp"
 

@@ -4,11 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include <boost/multiprecision/cpp_int.hpp>
-
 namespace carom {
-
-using Rational = boost::multiprecision::cpp_rational;
 
 /// A decimal ("0.1", "-3e-5"), a rational ("1/3") or "inf". `value` is the double nearest to `text`.
 /// A number set in code has no text; its exact value is that of the double.
@@ -21,15 +17,9 @@ struct Number {
   operator double() const noexcept { return value; }  // NOLINT(google-explicit-constructor)
 };
 
-/// The exact value. Requires a finite number.
-[[nodiscard]] Rational exact(const Number& number);
-
 /// Reads a decimal or a rational and rounds it once. Underscores between digits are allowed, as in TOML.
 /// Throws std::invalid_argument if the text is no number, std::out_of_range if a finite one is no finite double.
 /// A value that underflows to zero or to a subnormal double is out of range too.
 [[nodiscard]] Number parse_number(std::string_view text);
-
-/// The double nearest to a rational, ties to even.
-[[nodiscard]] double nearest_double(const Rational& r);
 
 }  // namespace carom

@@ -7,9 +7,9 @@
 namespace carom {
 
 /// collision_rate [1/time]: collisions per ball and time, over the balls that move freely. A collision of two such balls
-/// counts for both; one with a wall, a fixed ball or a ball of infinite mass counts for the one. In a periodic gas it is the
-/// inverse of the mean free time.
-/// wall_collision_rate [1/time]: of it, those with walls; their difference is the rate among balls.
+/// counts for both; one with a wall, a fixed ball or a ball of infinite mass counts for the one. In a periodic gas it is
+/// the inverse of the mean free time. wall_collision_rate [1/time]: of it, those with walls; their difference is the rate
+/// among balls.
 class CollisionRate {
  public:
   explicit CollisionRate(const Subject& subject) : sums_(subject.epoch_length), free_(subject.free) {}

@@ -16,12 +16,12 @@
 namespace carom {
 
 /// Usage: make it, give `sink()` to the run, call `end`, read `estimates()`. It is told of collisions and never touches the
-/// simulation, so a run goes the same way with it and without. Measuring starts where Scene::observe says: after a number of
-/// collisions (those of its moment that follow count), or after a time (collisions at it do not count).
+/// simulation, so a run goes the same way with it and without. Measuring starts where Scene::observe says: after a number
+/// of collisions (those of its moment that follow count), or after a time (collisions at it do not count).
 class Observers {
  public:
-  /// The simulation is at the beginning of its run, or where a resumed run goes on (measuring starts anew). Throws InputError if something that is asked for has no meaning in the
-  /// scene; names and reasons are those of the problems.
+  /// The simulation is at the beginning of its run, or where a resumed run goes on (measuring starts anew). Throws
+  /// InputError if something that is asked for has no meaning in the scene; names and reasons are those of the problems.
   Observers(const Scene& scene, const Simulation& simulation);
   Observers(const Observers&) = delete;
   Observers& operator=(const Observers&) = delete;

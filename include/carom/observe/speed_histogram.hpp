@@ -16,13 +16,13 @@ struct SpeedBin {
   double maxwell = 0.0;         ///< the share of a Maxwell distribution of the same mean kinetic energy and masses
 };
 
-/// Over all balls that move freely, weighted by time: every flight counts with its duration, and within an accelerated flight
-/// every speed with the time spent there.
+/// Over all balls that move freely, weighted by time: every flight counts with its duration, and within an accelerated
+/// flight every speed with the time spent there.
 ///   speed_histogram.mean [length/time], speed_histogram.mean_square
 ///   speed_histogram.maxwell_mean, speed_histogram.maxwell_fourth: mean and fourth moment of u = sqrt(m) |v|, each over its
 ///   value in a Maxwell distribution of the same mean square (any mixture of masses):
-///   <u> / (c <u^2>^(1/2)), c = sqrt(2/d) Gamma((d + 1)/2) / Gamma(d/2), and <u^4> d / ((d + 2) <u^2>^2). 1 in equilibrium; N balls
-///   of fixed energy have a fourth moment lower by the factor D_f / (D_f + 2).
+///   <u> / (c <u^2>^(1/2)), c = sqrt(2/d) Gamma((d + 1)/2) / Gamma(d/2), and <u^4> d / ((d + 2) <u^2>^2). 1 in equilibrium;
+///   N balls of fixed energy have a fourth moment lower by the factor D_f / (D_f + 2).
 /// There are 128 bins, which become twice as wide whenever a speed lies beyond them.
 class SpeedHistogram {
  public:

@@ -10,10 +10,10 @@ namespace carom {
 ///   kT = 2 K / D_f                                          D_f = d (N - 1) periodic, d N in a box
 ///   Z  = 1 + sum r J / (d N kT t)                           the virial theorem [ErpenbeckWood1977]
 ///   P  = N kT Z / V
-/// K is the kinetic energy (periodic: about the centre of mass), averaged over the time t; the sum is over collisions, r the
-/// distance of the centres at contact and J the impulse. In a box a face is a partner too, at the distance of the ball's
-/// radius; P is then, in the long run, the force on the faces over their area. With this D_f, Z of elastic balls has no bias
-/// from the fixed energy and momentum: it is the canonical value for N balls.
+/// K is the kinetic energy (periodic: about the centre of mass), averaged over the time t; the sum is over collisions, r
+/// the distance of the centres at contact and J the impulse. In a box a face is a partner too, at the distance of the
+/// ball's radius; P is then, in the long run, the force on the faces over their area. With this D_f, Z of elastic balls has
+/// no bias from the fixed energy and momentum: it is the canonical value for N balls.
 ///   Z_rate: r J is replaced by r times its mean for a Maxwell distribution cut to fixed energy, of which only kT, the
 ///   masses and D_f enter: with mu the reduced mass,
 ///   <J> = (1 + e)/2 sqrt(2 pi mu kT) c,  c = sqrt(2/D_f) Gamma((D_f + 1)/2) / Gamma(D_f/2).

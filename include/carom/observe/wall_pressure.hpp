@@ -9,8 +9,8 @@
 
 namespace carom {
 
-/// pressure.wall: momentum that the balls give to all faces, over time and the area of all faces; pressure.face.x-, ...: the
-/// same for one face. The area of a face is that of the box (its length in 2-D; 1 in 1-D, where a pressure is a force).
+/// pressure.wall: momentum that the balls give to all faces, over time and the area of all faces; pressure.face.x-, ...:
+/// the same for one face. The area of a face is that of the box (its length in 2-D; 1 in 1-D, where a pressure is a force).
 class WallPressure {
  public:
   explicit WallPressure(const Subject& subject);

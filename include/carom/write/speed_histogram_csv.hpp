@@ -9,8 +9,8 @@
 
 namespace carom {
 
-/// Columns: from, to (speeds), share (of the time of all balls that move freely), density (share over the width), maxwell (the
-/// density of a Maxwell distribution of the same mean kinetic energy and masses). Comments as in EventsCsv.
+/// Columns: from, to (speeds), share (of the time of all balls that move freely), density (share over the width), maxwell
+/// (the density of a Maxwell distribution of the same mean kinetic energy and masses). Comments as in EventsCsv.
 class SpeedHistogramCsv {
  public:
   /// Throws OutputError.
