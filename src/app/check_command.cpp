@@ -56,12 +56,12 @@ class LogPrint {
 
 struct Findings {
   Summary summary;
-  Audit audit;                  ///< the deepest of all, and the sum of the overlaps
+  Audit audit;  ///< the deepest of all, and the sum of the overlaps
   std::int64_t audits = 0;
-  std::string reference;        ///< composition of the second run
+  std::string reference;  ///< composition of the second run
   bool same_log = false;
-  std::optional<double> echo;   ///< largest distance from the start [length]; none where time has no mirror
-  std::string no_echo;          ///< why none
+  std::optional<double> echo;  ///< largest distance from the start [length]; none where time has no mirror
+  std::string no_echo;         ///< why none
   bool interrupted = false;
 };
 
@@ -92,7 +92,8 @@ class Check {
     found_.audit.overlaps = sum;
   }
 
-  /// Audits at even numbers of collisions: a first run counts them, cheaply, where the scene does not say how many there are.
+  /// Audits at even numbers of collisions: a first run counts them, cheaply, where the scene does not say how many there
+  /// are.
   LogPrint run_and_audit(Simulation& simulation) {
     std::int64_t total = scene_.run.events.value_or(0);
     if (!scene_.run.events || scene_.run.until) {
@@ -104,10 +105,10 @@ class Check {
     LogPrint log;
     audit(simulation);
     while (!interrupted()) {
-      const std::int64_t left =
-          scene_.run.events ? *scene_.run.events - simulation.counts().collisions() : std::numeric_limits<std::int64_t>::max();
-      const Stop stop = simulation.advance(scene_.run.until, std::min(step, left), [&](const Collision& c) { log.add(c); },
-                                           &interrupt_);
+      const std::int64_t left = scene_.run.events ? *scene_.run.events - simulation.counts().collisions()
+                                                  : std::numeric_limits<std::int64_t>::max();
+      const Stop stop = simulation.advance(
+          scene_.run.until, std::min(step, left), [&](const Collision& c) { log.add(c); }, &interrupt_);
       audit(simulation);
       if (stop != Stop::events || left <= step) break;
     }
@@ -118,7 +119,8 @@ class Check {
     Simulation other = Simulation::reference(scene_);
     found_.reference = other.composition().text();
     LogPrint again;
-    other.advance(scene_.run.until, scene_.run.events, [&](const Collision& c) { again.add(c); }, &interrupt_);
+    other.advance(
+        scene_.run.until, scene_.run.events, [&](const Collision& c) { again.add(c); }, &interrupt_);
     found_.same_log = again.value() == log.value() && again.events() == log.events();
   }
 
@@ -176,17 +178,21 @@ Json as_json(const Findings& f) {
 }
 
 void print(std::ostream& out, const Findings& f) {
-  const auto row = [&out](const char* label, const std::string& value) { out << fmt::format("  {:<16}{}\n", label, value); };
+  const auto row = [&out](const char* label, const std::string& value) {
+    out << fmt::format("  {:<16}{}\n", label, value);
+  };
   row("run", fmt::format("{} collisions to time {}", f.summary.events.collisions(), number_text(f.summary.time)));
   row("energy error", fmt::format("{:.2g} of the largest energy in play", f.summary.energy.relative_error));
   if (f.summary.momentum.relative_error)
     row("momentum error", fmt::format("{:.2g} of the sum of all momenta", *f.summary.momentum.relative_error));
-  row("audit", fmt::format("{} overlaps in {} full audits; the deepest {:.2g}, {:.2g} of the radii", f.audit.overlaps, f.audits,
-                           f.audit.deepest, f.audit.deepest_relative));
+  row("audit", fmt::format("{} overlaps in {} full audits; the deepest {:.2g}, {:.2g} of the radii", f.audit.overlaps,
+                           f.audits, f.audit.deepest, f.audit.deepest_relative));
   row("clamped", fmt::format("{} events found in the past", f.summary.exactness.clamped));
-  row("same log", fmt::format("{}: {} against {}", f.same_log ? "yes, bit for bit" : "NO", f.summary.composition, f.reference));
+  row("same log",
+      fmt::format("{}: {} against {}", f.same_log ? "yes, bit for bit" : "NO", f.summary.composition, f.reference));
   row("echo error", f.echo ? fmt::format("{:.2g} from the start after running back", *f.echo) : "none: " + f.no_echo);
-  out << "\n  A large echo error is no error of the run: it is how far chaos has amplified the rounding on the way there and back.\n";
+  out << "\n  A large echo error is no error of the run: it is how far chaos has amplified the rounding on the way there "
+         "and back.\n";
 }
 
 }  // namespace

@@ -19,8 +19,8 @@ struct CheckOptions {
 
 CLI::App* add_check_command(CLI::App& program, CheckOptions& options);
 
-/// Runs the scene, audits it, runs it again by another queue and search, and back in time. `stopped` if overlaps are found or the
-/// logs differ. Throws InputError.
+/// Runs the scene, audits it, runs it again by another queue and search, and back in time. `stopped` if overlaps are found
+/// or the logs differ. Throws InputError.
 ExitStatus check(const CheckOptions& options, const Console& console);
 
 }  // namespace carom::app

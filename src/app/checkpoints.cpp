@@ -7,7 +7,8 @@
 
 namespace carom::app {
 
-Checkpoints::Checkpoints(const Scene& scene, const std::string& file, const std::string& folder, const Simulation& simulation)
+Checkpoints::Checkpoints(const Scene& scene, const std::string& file, const std::string& folder,
+                         const Simulation& simulation)
     : path_(file) {
   const OutputSpec& output = scene.output;
   if (path_.empty() && !output.checkpoint.empty())

@@ -146,7 +146,8 @@ void judge_output(Judgement& j) {
   TableRules every(j, {"output", "checkpoint", "every"}, o.where);
   if (o.checkpoint_every_time) {
     every.finite("time", *o.checkpoint_every_time);
-    if (o.checkpoint_every_time->value <= 0) every.found("time", " is not above 0", "it is a span of time", "Leave it out for one at the end");
+    if (o.checkpoint_every_time->value <= 0)
+      every.found("time", " is not above 0", "it is a span of time", "Leave it out for one at the end");
   }
   if (o.checkpoint_every_events && *o.checkpoint_every_events <= 0)
     every.found("events", " is not above 0", "it is a number of collisions", "Leave it out for one at the end");

@@ -57,7 +57,8 @@ std::unique_ptr<Simulation::Engine> choose_search(const Scene& scene, World<type
   return make_composed(scene, std::move(world), motion, std::move(composition), CellGrid<Real, D>(Layout::fitted));
 }
 
-/// Up to this many balls the reference is searched by all pairs (measured: 4000 disks still make thousands of collisions a second).
+/// Up to this many balls the reference is searched by all pairs (measured: 4000 disks still make thousands of collisions a
+/// second).
 inline constexpr std::size_t bearable_pairs = 4000;
 
 template <Motion M>

@@ -97,7 +97,8 @@ class ComposedEngine final : public Simulation::Engine {
     constexpr std::size_t print_size = sizeof(std::uint64_t);
     if (bytes.size() < 4 * print_size) refuse("the checkpoint is too short to be one", "Give a file that carom wrote");
     ByteReader head(bytes);
-    if (head.get<std::uint64_t>() != checkpoint_magic) refuse("this is no checkpoint of carom", "Give a file that carom wrote");
+    if (head.get<std::uint64_t>() != checkpoint_magic)
+      refuse("this is no checkpoint of carom", "Give a file that carom wrote");
     if (head.get<std::uint64_t>() != checkpoint_version)
       refuse("the checkpoint is of another version of carom", "Resume it with the version that wrote it");
     if (ByteReader(bytes.substr(bytes.size() - print_size)).get<std::uint64_t>() !=
@@ -216,8 +217,8 @@ class ComposedEngine final : public Simulation::Engine {
     const EnergyBooks<Real>& books = engine_.books();
     const W initial = start_.kinetic + start_.potential, final = now.kinetic + now.potential;
     const Real error = narrow(W((final - initial) + (books.dissipated - books.injected)));
-    // kinetic + potential + dissipated = initial + injected at every moment, so it is largest where injected is. Potential counts
-    // from the lowest place that a ball was seen at.
+    // kinetic + potential + dissipated = initial + injected at every moment, so it is largest where injected is. Potential
+    // counts from the lowest place that a ball was seen at.
     W lowest(Real(0));
     if (world_.accelerated() && start_.mass > W(Real(0))) lowest = start_.mass * W(books.lowest_potential);
     const Real largest = narrow(W(initial - lowest)) + 2 * books.largest_injected;

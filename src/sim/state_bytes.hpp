@@ -1,8 +1,8 @@
 #pragma once
 // The whole state of a run as bytes: what a checkpoint holds. One description serves writing and reading.
 //
-// Queue and search are not in it: they are functions of the stored states, so a run goes on bit for bit under another queue and
-// search too.
+// Queue and search are not in it: they are functions of the stored states, so a run goes on bit for bit under another queue
+// and search too.
 
 #include <string>
 
@@ -37,15 +37,13 @@ class StateVisitor {
   void watch(auto& w) {
     sized(w.streaks(), [this](auto& s) {
       for (auto& r : s.recent) each(r);
-      each(s.count, s.instant);
+      each(s.count, s.instant, s.weak, s.strongest);
       time(s.last);
       time(s.block_start);
       each(s.duration);
     });
   }
-  void time(auto& t) {
-    each(t.epoch, t.offset);
-  }
+  void time(auto& t) { each(t.epoch, t.offset); }
 
  private:
   template <class... T>

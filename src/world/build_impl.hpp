@@ -290,7 +290,11 @@ class WorldBuilder {
       std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
         return world_.balls[a].position[0] < world_.balls[b].position[0];
       });
-      for (std::size_t k = 0; k < order.size(); ++k) world_.details[order[k]].rank = static_cast<std::int32_t>(k);
+      // Counted on through the periods of balls that start outside the cell.
+      for (std::size_t k = 0; k < order.size(); ++k) {
+        BallDetail<Real, D>& detail = world_.details[order[k]];
+        detail.rank = static_cast<std::int64_t>(k) + detail.image[0] * static_cast<std::int64_t>(order.size());
+      }
     }
   }
 

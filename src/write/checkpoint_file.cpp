@@ -54,7 +54,8 @@ void write_checkpoint(const std::string& path, const Simulation& simulation) {
 
 void read_checkpoint(const std::string& path, Simulation& simulation) {
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError(Problem{path, 0, "cannot read the checkpoint", std::strerror(errno), "Check the name after --resume"});
+  if (!file)
+    throw InputError(Problem{path, 0, "cannot read the checkpoint", std::strerror(errno), "Check the name after --resume"});
   const std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   try {
     simulation.restore(bytes);

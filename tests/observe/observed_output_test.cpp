@@ -48,9 +48,9 @@ TEST(ObservedOutput, speeds_are_a_table) {
   text << std::ifstream(path).rdbuf();
   std::filesystem::remove(path);
   double total = 0;
-  std::string line;
+  std::string last;
   bool header = false;
-  while (std::getline(text, line)) {
+  for (std::string line; std::getline(text, line); last = line) {
     if (line == "from,to,share,density,maxwell") {
       header = true;
     } else if (line[0] != '#') {
@@ -64,7 +64,7 @@ TEST(ObservedOutput, speeds_are_a_table) {
   }
   EXPECT_TRUE(header);
   EXPECT_EQ(total, 1);
-  EXPECT_EQ(line, "# end: until");
+  EXPECT_EQ(last, "# end: until");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// One scene, many engines: every search and queue gives the same log, bit for bit, and a full audit finds no overlap on the way.
-// Then the state of a run as bytes, the way back in time, and the laws that join balls.
+// One scene, many engines: every search and queue gives the same log, bit for bit, and a full audit finds no overlap on the
+// way. Then the state of a run as bytes, the way back in time, and the laws that join balls.
 
 #include <gtest/gtest.h>
 
@@ -15,12 +15,24 @@
 namespace carom {
 namespace {
 
-using Line = std::tuple<std::int64_t, double, int, std::uint32_t, std::uint32_t, int, std::array<double, 3>, std::array<double, 3>,
-                        std::array<std::int64_t, 3>, std::array<double, 3>, std::array<double, 3>, double, bool>;
+using Line =
+    std::tuple<std::int64_t, double, int, std::uint32_t, std::uint32_t, int, std::array<double, 3>, std::array<double, 3>,
+               std::array<std::int64_t, 3>, std::array<double, 3>, std::array<double, 3>, double, bool>;
 
 Line line_of(const Collision& c) {
-  return {c.epoch, c.offset, int(c.kind), c.ball.number, c.partner.number, c.feature, c.ball.position, c.ball.velocity_after,
-          c.ball.image, c.partner.position, c.partner.velocity_after, c.impulse, c.tie};
+  return {c.epoch,
+          c.offset,
+          int(c.kind),
+          c.ball.number,
+          c.partner.number,
+          c.feature,
+          c.ball.position,
+          c.ball.velocity_after,
+          c.ball.image,
+          c.partner.position,
+          c.partner.velocity_after,
+          c.impulse,
+          c.tie};
 }
 
 struct Named {
@@ -30,8 +42,10 @@ struct Named {
 
 // Small cells, long corridors, fixed partners, radii that differ twentyfold, gravity, every wall, dissipation.
 const Named scenes[] = {
-    {"disks_in_a_box", "dimension=2\n[space]\nkind='box'\nlower=[0,0]\nupper=[14,14]\n[[gas]]\ncount=60\npacking_fraction=0.4\n"},
-    {"dense_disks", "dimension=2\n[space]\nkind='periodic'\nlower=[0,0]\nupper=[10,10]\n[[gas]]\ncount=80\npacking_fraction=0.68\n"},
+    {"disks_in_a_box",
+     "dimension=2\n[space]\nkind='box'\nlower=[0,0]\nupper=[14,14]\n[[gas]]\ncount=60\npacking_fraction=0.4\n"},
+    {"dense_disks",
+     "dimension=2\n[space]\nkind='periodic'\nlower=[0,0]\nupper=[10,10]\n[[gas]]\ncount=80\npacking_fraction=0.68\n"},
     {"spheres", "dimension=3\n[[gas]]\ncount=64\npacking_fraction=0.3\nradius=0.5\n"},
     {"dense_spheres", "dimension=3\n[[gas]]\ncount=64\npacking_fraction=0.49\nradius=0.5\n"},
     {"spheres_in_open_space",
@@ -42,26 +56,34 @@ const Named scenes[] = {
      "[[gas]]\ncount=100\nradius=0.1\nmass=1\n"},
     {"rods", "dimension=1\n[space]\nkind='periodic'\nlower=[0]\nupper=[30]\n[[gas]]\ncount=20\npacking_fraction=0.5\n"},
     {"corridor",
-     "dimension=2\n[space]\nkind='periodic'\nlower=[0,0]\nupper=[40,1.3]\n[[ball]]\nposition=[1,0.2]\nvelocity=[1,0.37]\nradius=0.3\n"
-     "[[ball]]\nposition=[5,0.5]\nvelocity=[-0.2,0.51]\nradius=0.3\n[[ball]]\nposition=[9,0.9]\nvelocity=[0.4,-0.11]\nradius=0.3\n"
+     "dimension=2\n[space]\nkind='periodic'\nlower=[0,0]\nupper=[40,1.3]\n[[ball]]\nposition=[1,0.2]\nvelocity=[1,0.37]"
+     "\nradius=0.3\n"
+     "[[ball]]\nposition=[5,0.5]\nvelocity=[-0.2,0.51]\nradius=0.3\n[[ball]]\nposition=[9,0.9]\nvelocity=[0.4,-0.11]"
+     "\nradius=0.3\n"
      "[[ball]]\nposition=[19,0.9]\nfixed=true\nradius=0.3\n"},
     {"lorentz_with_reach_beyond_the_cell",  // sigma 0.8 in a cell of 1 x 3: a fixed partner several images away
-     "dimension=2\n[space]\nkind='periodic'\nlower=[0,0]\nupper=[1,3]\n[[ball]]\nposition=[0.5,0.3]\nradius=0.8\nfixed=true\n"
+     "dimension=2\n[space]\nkind='periodic'\nlower=[0,0]\nupper=[1,3]\n[[ball]]\nposition=[0.5,0.3]\nradius=0.8\nfixed="
+     "true\n"
      "[[ball]]\nposition=[0.1,1.7]\nvelocity=[0.8,0.6]\nradius=0.05\n"},
     {"gravity_in_a_box",
-     "dimension=2\n[motion]\nacceleration=[0.1,-1]\n[space]\nkind='box'\nlower=[0,0]\nupper=[9,12]\n[[gas]]\ncount=40\nradius=0.3\n"
+     "dimension=2\n[motion]\nacceleration=[0.1,-1]\n[space]\nkind='box'\nlower=[0,0]\nupper=[9,12]\n[[gas]]\ncount="
+     "40\nradius=0.3\n"
      "[[ball]]\nposition=[4,3]\nradius=1\nfixed=true\n"},
-    {"gravity_periodic", "dimension=3\n[motion]\nacceleration=[0,0,-0.5]\n[[gas]]\ncount=40\npacking_fraction=0.2\nradius=0.5\n"},
+    {"gravity_periodic",
+     "dimension=3\n[motion]\nacceleration=[0,0,-0.5]\n[[gas]]\ncount=40\npacking_fraction=0.2\nradius=0.5\n"},
     {"every_wall",
-     "dimension=2\n[space]\nkind='box'\nlower=[0,0]\nupper=[12,12]\n[[gas]]\ncount=25\nradius=0.3\n[[ball]]\nposition=[1,11]\nvelocity=[1,-0.7]\n"
+     "dimension=2\n[space]\nkind='box'\nlower=[0,0]\nupper=[12,12]\n[[gas]]\ncount=25\nradius=0.3\n[[ball]]\nposition=[1,"
+     "11]\nvelocity=[1,-0.7]\n"
      "radius=0\n[[wall]]\nkind='segment'\nfrom=[2,2]\nto=[4,7]\n[[wall]]\nkind='polygon'\nvertices=[[7,7],[9,7.5],[8,9]]\n"
-     "[[wall]]\nkind='circle'\ncentre=[9,3]\nradius=1\nside='outside'\n[[wall]]\nkind='plane'\npoint=[0,-1]\nnormal=[0.2,1]\n"
+     "[[wall]]\nkind='circle'\ncentre=[9,3]\nradius=1\nside='outside'\n[[wall]]\nkind='plane'\npoint=[0,-1]\nnormal=[0.2,1]"
+     "\n"
      "restitution=0.999\n"},
     {"granular",
      "dimension=2\n[collision]\nrestitution=0.95\n[space]\nkind='periodic'\nlower=[0,0]\nupper=[12,12]\n[[gas]]\ncount=50\n"
      "packing_fraction=0.3\n"},
     {"moving_walls",
-     "dimension=2\n[space]\nkind='box'\nlower=[0,0]\nupper=[20,10]\n[[gas]]\ncount=30\nradius=0.2\n[[wall]]\nkind='plane'\npoint=[19.9,0]\n"
+     "dimension=2\n[space]\nkind='box'\nlower=[0,0]\nupper=[20,10]\n[[gas]]\ncount=30\nradius=0.2\n[[wall]]\nkind='plane'"
+     "\npoint=[19.9,0]\n"
      "normal=[-1,0]\nvelocity=[-0.01,0]\n"},
 };
 
@@ -91,7 +113,8 @@ TEST_P(EveryEngine, gives_the_same_log_and_no_overlap) {
   const Run pairs = follow(Simulation(scene("all_pairs")), 60, 50);
   ASSERT_GE(pairs.log.size(), 2u);
   EXPECT_EQ(pairs.overlaps, 0);
-  for (const Run& other : {follow(Simulation(scene("cells")), 60, 50), follow(Simulation::reference(scene("auto")), 7, 430)}) {
+  for (const Run& other :
+       {follow(Simulation(scene("cells")), 60, 50), follow(Simulation::reference(scene("auto")), 7, 430)}) {
     EXPECT_EQ(other.overlaps, 0);
     EXPECT_EQ(other.summary.exactness.clamped, 0);
     const std::size_t n = std::min(pairs.log.size(), other.log.size());
@@ -131,7 +154,8 @@ TEST(State, damaged_or_foreign_is_refused_and_changes_nothing) {
   }
   for (const std::size_t length : {std::size_t{0}, std::size_t{10}, state.size() - 1})
     EXPECT_THROW(b.restore(state.substr(0, length)), InputError);
-  EXPECT_THROW(Simulation(read_scene(std::string(scenes[1].text) + "[run]\nevents=1\n", "test")).restore(state), InputError);
+  EXPECT_THROW(Simulation(read_scene(std::string(scenes[1].text) + "[run]\nevents=1\n", "test")).restore(state),
+               InputError);
   EXPECT_EQ(b.counts().collisions(), 0);
   b.restore(state);
   EXPECT_EQ(b.state(), state);
@@ -158,12 +182,13 @@ TEST(Reverse, leads_back_to_the_start) {
 // Energy of 1e5 bounces under gravity among segments: rounding walks, it does not drift; nothing gets out.
 TEST(Gravity, keeps_its_energy_and_its_box) {
   for (const char* radius : {"0.1", "0"}) {
-    Simulation simulation(read_scene("dimension=2\n[motion]\nacceleration=[0,-1]\n[[ball]]\nposition=[0.5,2]\nvelocity=[0.3,0]\nradius=" +
-                                         std::string(radius) +
-                                         "\n[[wall]]\nkind='segment'\nfrom=[-1,0]\nto=[3,0]\n[[wall]]\nkind='segment'\nfrom=[3,0]\nto=[3,4]\n"
-                                         "[[wall]]\nkind='segment'\nfrom=[3,4]\nto=[-1,4]\n[[wall]]\nkind='segment'\nfrom=[-1,4]\nto=[-1,0]\n"
-                                         "[run]\nevents=100000\n",
-                                     "test"));
+    Simulation simulation(
+        read_scene("dimension=2\n[motion]\nacceleration=[0,-1]\n[[ball]]\nposition=[0.5,2]\nvelocity=[0.3,0]\nradius=" +
+                       std::string(radius) +
+                       "\n[[wall]]\nkind='segment'\nfrom=[-1,0]\nto=[3,0]\n[[wall]]\nkind='segment'\nfrom=[3,0]\nto=[3,4]\n"
+                       "[[wall]]\nkind='segment'\nfrom=[3,4]\nto=[-1,4]\n[[wall]]\nkind='segment'\nfrom=[-1,4]\nto=[-1,0]\n"
+                       "[run]\nevents=100000\n",
+                   "test"));
     EXPECT_EQ(simulation.run(), Stop::events);
     EXPECT_LE(simulation.summary().energy.relative_error, 1e-13);
     const BallState ball = simulation.ball(0);
@@ -197,10 +222,11 @@ TEST(Polygon, leaks_no_point) {
 
 // The lecture's v = (m1 u1 + m2 u2) / (m1 + m2), and the loss mu |g|^2 / 2.
 TEST(Stick, moves_on_with_the_common_velocity) {
-  Simulation simulation(read_scene(
-      "dimension=3\n[collision]\nlaw='stick'\n[[ball]]\nposition=[0,0,0]\nvelocity=[5,0,1]\nmass=2\n"
-      "[[ball]]\nposition=[3,0.3,0.2]\nvelocity=[-1,0,0]\nmass=3\n[[ball]]\nposition=[9,0.3,0.3]\nvelocity=[-1,0,0]\nmass=5\n[run]\nuntil=20\n",
-      "test"));
+  Simulation simulation(
+      read_scene("dimension=3\n[collision]\nlaw='stick'\n[[ball]]\nposition=[0,0,0]\nvelocity=[5,0,1]\nmass=2\n"
+                 "[[ball]]\nposition=[3,0.3,0.2]\nvelocity=[-1,0,0]\nmass=3\n[[ball]]\nposition=[9,0.3,0.3]\nvelocity=[-1,"
+                 "0,0]\nmass=5\n[run]\nuntil=20\n",
+                 "test"));
   simulation.run();
   EXPECT_EQ(simulation.counts().ball_ball, 2);
   const Summary s = simulation.summary();
@@ -219,8 +245,9 @@ TEST(Aggregation, balances_its_books) {
     for (const char* dimension : {"2", "3"}) {
       const bool plane = dimension[0] == '2';
       Simulation simulation(read_scene(
-          "dimension=" + std::string(dimension) + "\n[collision]\nlaw='" + law + "'\n[space]\nkind='periodic'\nlower=" +
-              (plane ? "[0,0]\nupper=[20,20]" : "[0,0,0]\nupper=[9,9,9]") + "\n[[gas]]\ncount=80\nradius=0.3\n[run]\nuntil=3000\n",
+          "dimension=" + std::string(dimension) + "\n[collision]\nlaw='" + law +
+              "'\n[space]\nkind='periodic'\nlower=" + (plane ? "[0,0]\nupper=[20,20]" : "[0,0,0]\nupper=[9,9,9]") +
+              "\n[[gas]]\ncount=80\nradius=0.3\n[run]\nuntil=3000\n",
           "test"));
       simulation.run();
       const Summary s = simulation.summary();
@@ -237,10 +264,11 @@ TEST(Aggregation, balances_its_books) {
 
 // T = sqrt(2 h / g) (1 + e) / (1 - e): the bounces accumulate there, and the run says so instead of hanging.
 TEST(BouncingBall, stops_at_the_accumulation_point) {
-  Simulation simulation(read_scene(
-      "dimension=1\n[motion]\nacceleration=[-9.81]\n[collision]\nrestitution=0.9\n[[ball]]\nposition=[1.5]\n[[wall]]\nkind='plane'\n"
-      "point=[0]\nnormal=[1]\n[run]\nuntil=20\n",
-      "test"));
+  Simulation simulation(
+      read_scene("dimension=1\n[motion]\nacceleration=[-9.81]\n[collision]\nrestitution=0.9\n[[ball]]\nposition=[1.5]\n[["
+                 "wall]]\nkind='plane'\n"
+                 "point=[0]\nnormal=[1]\n[run]\nuntil=20\n",
+                 "test"));
   EXPECT_EQ(simulation.run(), Stop::collapse);
   EXPECT_NEAR(simulation.time(), 8.578949178729, 1e-10);
   EXPECT_EQ(simulation.summary().stopped->balls, std::vector<std::uint32_t>{0});

@@ -41,16 +41,23 @@ template <Motion M>
   return relative;
 }
 
-/// 1-D: +1 if the image of ball j lies to the right of ball i, else -1. Balls on a line never change their order, so the
-/// order at the start decides, not the rounded positions.
+/// 1-D: places from ball i to the image of ball j along the line, positive to the right. Balls on a line never change their
+/// order, so the order at the start decides, not the rounded positions; in a periodic space it repeats after as many places
+/// as there are balls.
+template <class Real>
+[[nodiscard]] inline std::int64_t places_on_line(const World<Real, 1>& world, std::uint32_t i, std::uint32_t j,
+                                                 const Image<1>& image) {
+  const BallDetail<Real, 1>& a = world.details[i];
+  const BallDetail<Real, 1>& b = world.details[j];
+  const std::int64_t turns = image[0] + a.image[0] - b.image[0];
+  return b.rank - a.rank + turns * static_cast<std::int64_t>(world.balls.size());
+}
+
+/// 1-D: +1 if the image of ball j lies to the right of ball i, else -1.
 template <class Real>
 [[nodiscard]] inline int side_on_line(const World<Real, 1>& world, std::uint32_t i, std::uint32_t j,
                                       const Image<1>& image) {
-  const BallDetail<Real, 1>& a = world.details[i];
-  const BallDetail<Real, 1>& b = world.details[j];
-  const std::int64_t turns = image[0] + b.image[0] - a.image[0];
-  if (turns != 0) return turns > 0 ? 1 : -1;
-  return b.rank > a.rank ? 1 : -1;
+  return places_on_line(world, i, j, image) > 0 ? 1 : -1;
 }
 
 /// A meeting seen from the later of the two stored times.
@@ -75,7 +82,10 @@ template <Motion M>
   const bool may_touch = a.in_contact && b.in_contact;
 
   if constexpr (D == 1) {
-    const Real s = Real(side_on_line(world, i, j, image));
+    // Nobody meets anybody through a third, not even where points lie at one place. (Merging takes balls out of the row.)
+    const std::int64_t places = places_on_line(world, i, j, image);
+    if (places != 1 && places != -1 && world.law != LawKind::merge) return {never<Real>(), since};
+    const Real s = Real(places > 0 ? 1 : -1);
     const Real gap = s * r[0] - sigma, rate = s * v[0];
     const Touch touch = may_touch ? touch_of_pair(world, i, j, image) : Touch::none;
     if (M::accelerated && a.fixed != b.fixed) {

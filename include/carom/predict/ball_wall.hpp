@@ -96,7 +96,9 @@ template <Motion M>
     const Real rho = sphere.radius - ball.radius;
     if constexpr (M::accelerated)
       return touch == Touch::none ? leave_time<Real, D>(r, v, a, rho) : chord_time<Real, D>(r, v, a);
-    return touch == Touch::none ? leave_time<Real, D>(r, v, rho) : chord_time<Real, D>(r, v);
+    // Inward bound the later root is the one wanted, touching or not; taken with the gap as it is, it keeps |r| from
+    // wandering.
+    return touch == Touch::none || outward < 0 ? leave_time<Real, D>(r, v, rho) : chord_time<Real, D>(r, v);
   }
   const Real sigma = sphere.radius + ball.radius;
   if (sigma == 0)

@@ -87,7 +87,7 @@ class CellGrid {
     }
     for (int k = 0; k < D; ++k) {
       for (const int up : {0, 1}) {
-        if (bounded_ && tiles_[i][k] == (up != 0 ? cells_[k] - 1 : 0)) continue;  // the wall is there
+        if (bounded_ && tiles_[i][k] == (up != 0 ? cells_[k] - 1 : 0)) continue;  // a cell at the rim has no end
         const Real boundary = lower_[k] + Real(tiles_[i][k] + up) * edge_[k];
         const Real gap = up != 0 ? boundary - x[k] : x[k] - boundary;
         const Real rate = up != 0 ? -v[k] : v[k];
@@ -168,7 +168,7 @@ class CellGrid {
       ++alive;
     }
     reach_ = largest * (1 + margin);
-    bounded_ = world.space.kind == SpaceKind::box;
+    bounded_ = !world.space.periodic();
     periodic_ = world.space.periodic();
     std::array<double, static_cast<std::size_t>(D)> extent{};
     double most = 1;
@@ -185,7 +185,7 @@ class CellGrid {
     for (int k = 0; k < D; ++k) {
       const double fit = reach_ > 0 ? std::floor(extent[k] / (reach_ * widen)) : std::floor(1e6 / widen);
       cells_[k] = layout_ == Layout::one_cell ? 1 : static_cast<std::int64_t>(std::clamp(fit, 1.0, 1e6));
-      // Open space: tiles go on for ever, and cells_ of them a row share a list.
+      // In open space the cells at the rim reach to infinity.
       const double edge = extent[k] > 0 ? extent[k] / static_cast<double>(cells_[k]) : std::max(reach_, 1.0);
       edge_[k] = world.space.kind == SpaceKind::open ? Real(std::max(edge, reach_ > 0 ? reach_ : edge))
                                                      : Real(world.space.edge[k] / Real(cells_[k]));
@@ -243,16 +243,9 @@ class CellGrid {
     for (std::uint32_t j = first_[cell_of(target)]; j != none; j = next_[j]) {
       if (j == i) continue;
       Image<D> image{};
-      if (!bounded_) {
-        bool here = true;
-        for (int k = 0; k < D; ++k) {
-          const std::int64_t away = target[k] - tiles_[j][k];  // a multiple of cells_[k]
-          if (away == 0) continue;
-          here = false;
-          if (periodic_) image[k] = static_cast<std::int32_t>(away / cells_[k]);
-        }
-        if (!here && !periodic_) continue;  // in open space another tile that shares the list
-      }
+      if (periodic_)
+        for (int k = 0; k < D; ++k)  // tiles of one cell differ by whole periods
+          image[k] = static_cast<std::int32_t>((target[k] - tiles_[j][k]) / cells_[k]);
       f(j, image);
     }
   }

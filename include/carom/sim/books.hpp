@@ -34,7 +34,8 @@ struct EnergyBooks {
   Wide<Real> dissipated{Real(0)};
   Wide<Real> injected{Real(0)};
   Real largest_injected = Real(0);  ///< largest value that injected has reached
-  Real lowest_potential = std::numeric_limits<Real>::infinity();  ///< per mass, of all states written; accelerated motion only
+  Real lowest_potential =
+      std::numeric_limits<Real>::infinity();  ///< per mass, of all states written; accelerated motion only
 };
 
 }  // namespace carom

@@ -117,8 +117,9 @@ class Collider {
     if (world.law == LawKind::merge) return check_fit(world, i, now);
     if (world.law == LawKind::stick) return Verdict::go_on;
     if (outcome.impulse == 0 && before_a == now && before_b == now && !tie)
-      return stop(Verdict::collapse, impact.e < 1 ? collapse_reason() : "a ball rests against another: the contact never ends", {i, j});
-    return watch_streak(impact.e, now, {i, j});
+      return stop(Verdict::collapse,
+                  impact.e < 1 ? collapse_reason() : "a ball rests against another: the contact never ends", {i, j});
+    return watch_streak(impact.e, now, {i, j}, outcome.impulse);
   }
 
   template <class Sink>
@@ -168,8 +169,9 @@ class Collider {
     }
     if (!finite(outcome.va)) return stop(Verdict::non_finite, "a velocity is no longer a finite number", {i});
     if (outcome.impulse == 0 && before == now && !tie)
-      return stop(Verdict::collapse, impact.e < 1 ? collapse_reason() : "a ball is pressed against a wall: the contact never ends", {i});
-    return watch_streak(impact.e, now, {i});
+      return stop(Verdict::collapse,
+                  impact.e < 1 ? collapse_reason() : "a ball is pressed against a wall: the contact never ends", {i});
+    return watch_streak(impact.e, now, {i}, outcome.impulse);
   }
 
   /// Both balls list the contact, with images relative to where they were stored just now.
@@ -227,12 +229,13 @@ class Collider {
                 : stop(Verdict::collapse, "a merged ball grows into a wall, and no law says what follows", {i});
   }
 
-  Verdict watch_streak(const Real& e, const Time<Real>& now, std::initializer_list<std::uint32_t> balls) {
+  Verdict watch_streak(const Real& e, const Time<Real>& now, std::initializer_list<std::uint32_t> balls,
+                       const Real& impulse) {
     if (!watch.watching()) return Verdict::go_on;
     bool collapse = false;
     for (const std::uint32_t i : balls) {
       if (e < 1) {
-        collapse = watch.collapses(i, now, balls) || collapse;
+        collapse = watch.collapses(i, now, balls, impulse) || collapse;
       } else {
         watch.end_streak(i);
       }
@@ -240,8 +243,8 @@ class Collider {
     return collapse ? stop(Verdict::collapse, collapse_reason(), cluster(balls)) : Verdict::go_on;
   }
 
-  /// A point stored next to a segment that it did not hit may have been rounded across it. It holds the side that it flew on: it
-  /// touches that segment, and hits it if it closes. Called before its state is written ...
+  /// A point stored next to a segment that it did not hit may have been rounded across it. It holds the side that it flew
+  /// on: it touches that segment, and hits it if it closes. Called before its state is written ...
   void note_sides(const WorldType& world, std::uint32_t i) {
     if constexpr (D == 2) {
       sides_.clear();
@@ -271,8 +274,8 @@ class Collider {
     }
   }
 
-  /// How far rounding can put a stored point off its path, and the height that is computed of it off the truth: at most 8 u of the
-  /// coordinates in play (two roundings of the advance, three of the height).
+  /// How far rounding can put a stored point off its path, and the height that is computed of it off the truth: at most 8 u
+  /// of the coordinates in play (two roundings of the advance, three of the height).
   [[nodiscard]] static Real position_doubt(const Vec<Real, 2>& at, const Segment<Real>& s) {
     using std::abs;
     return 8 * unit_roundoff<Real>() * (abs(at[0]) + abs(at[1]) + abs(s.from[0]) + abs(s.from[1]));

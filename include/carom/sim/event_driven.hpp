@@ -80,8 +80,8 @@ class EventDriven {
     for (std::uint32_t i = 0; i < world_.balls.size(); ++i) {
       if (!world_.balls[i].alive || world_.balls[i].fixed || done[i]) continue;
       written.clear();
-      write_motion(world_, motion_, i, position_at(motion_, world_, i, t), Vec<Real, D>(-velocity_at(motion_, world_, i, t)), t,
-                   written);
+      write_motion(world_, motion_, i, position_at(motion_, world_, i, t),
+                   Vec<Real, D>(-velocity_at(motion_, world_, i, t)), t, written);
       for (const std::uint32_t k : written) done[k] = true;
     }
     resume(t);

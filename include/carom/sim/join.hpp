@@ -11,12 +11,13 @@
 
 namespace carom {
 
-/// Makes one body of those of balls i and j, which are at xi and xj (its image `image`; neither wrapped anew) at time t and move on
-/// with velocity v. Appends the numbers of all balls written to `written`.
+/// Makes one body of those of balls i and j, which are at xi and xj (its image `image`; neither wrapped anew) at time t and
+/// move on with velocity v. Appends the numbers of all balls written to `written`.
 template <Motion M>
-void join_bodies(World<typename M::Real, M::dimension>& world, const M& motion, std::uint32_t i, const typename M::Vector& xi,
-                 std::uint32_t j, const typename M::Vector& xj, const Image<M::dimension>& image, const typename M::Vector& v,
-                 const Time<typename M::Real>& t, std::vector<std::uint32_t>& written) {
+void join_bodies(World<typename M::Real, M::dimension>& world, const M& motion, std::uint32_t i,
+                 const typename M::Vector& xi, std::uint32_t j, const typename M::Vector& xj,
+                 const Image<M::dimension>& image, const typename M::Vector& v, const Time<typename M::Real>& t,
+                 std::vector<std::uint32_t>& written) {
   using Real = typename M::Real;
   constexpr int D = M::dimension;
   using Vector = typename M::Vector;
@@ -25,7 +26,8 @@ void join_bodies(World<typename M::Real, M::dimension>& world, const M& motion, 
     if (b < 0) return Body<Real, D>{world.details[k].mass, x, world.details[k].image, {k}, {Vector::Zero()}, {Turns<D>{}}};
     Body<Real, D> body = world.bodies[static_cast<std::size_t>(b)];
     const Ball<Real, D>& ball = world.balls[k];
-    if (ball.time != t) body.position = motion.stored_position(body.position, ball.velocity, ball.fixed, elapsed(ball.time, t));
+    if (ball.time != t)
+      body.position = motion.stored_position(body.position, ball.velocity, ball.fixed, elapsed(ball.time, t));
     return body;
   };
   const auto place_of = [](const Body<Real, D>& body, std::uint32_t k) {

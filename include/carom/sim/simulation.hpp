@@ -52,7 +52,8 @@ class Simulation {
   /// Throws InputError.
   explicit Simulation(const Scene& scene);
 
-  /// The same scene by another queue and, where it can be borne, another search: slow, and its log must be the same bit for bit.
+  /// The same scene by another queue and, where it can be borne, another search: slow, and its log must be the same bit for
+  /// bit.
   [[nodiscard]] static Simulation reference(const Scene& scene);
 
   ~Simulation();
@@ -89,8 +90,8 @@ class Simulation {
   /// The whole state as bytes, from which `restore` goes on bit for bit, under any search and queue. The format is
   /// that of this version and this machine's byte order.
   [[nodiscard]] std::string state() const;
-  /// Puts back a state saved by a simulation of the same scene. Throws InputError if it is damaged or of another scene or version;
-  /// the simulation is then as it was.
+  /// Puts back a state saved by a simulation of the same scene. Throws InputError if it is damaged or of another scene or
+  /// version; the simulation is then as it was.
   void restore(std::string_view state);
 
   class Engine;

@@ -51,7 +51,7 @@ template <class Real, int D>
 struct BallDetail {
   Real mass = Real(1);         ///< [mass unit]; infinity: keeps its velocity
   std::uint32_t material = 0;  ///< row of the restitution table
-  std::int32_t rank = 0;       ///< 1-D: place in the order along the line, which never changes
+  std::int64_t rank = 0;       ///< 1-D: place in the order along the line, which never changes
   std::array<std::int64_t, static_cast<std::size_t>(D)> image{};  ///< periods counted out of the stored position
   std::vector<Contact<D>> contacts;                               ///< made at the stored time
   Time<Real> last_hit = Time<Real>::never();                      ///< its previous collision
