@@ -23,16 +23,16 @@ enum class SpaceKind : std::uint8_t { open, box, periodic };
 
 struct SpaceSpec {
   SpaceKind kind = SpaceKind::open;    ///< DEFAULT: open
-  Coordinates lower;                   ///< [length] box, periodic: the smallest coordinates
-  Coordinates upper;                   ///< [length] box, periodic: the largest coordinates
-  std::optional<Number> restitution;   ///< e of the faces [-], 0..1. DEFAULT: from the materials, else [collision]
-  std::string material;                ///< of the faces. DEFAULT: none
-  Where where;
+  Coordinates lower{};                   ///< [length] box, periodic: the smallest coordinates
+  Coordinates upper{};                   ///< [length] box, periodic: the largest coordinates
+  std::optional<Number> restitution{};   ///< e of the faces [-], 0..1. DEFAULT: from the materials, else [collision]
+  std::string material{};                ///< of the faces. DEFAULT: none
+  Where where{};
 };
 
 struct MotionSpec {
-  Coordinates acceleration;  ///< [length/time^2] uniform, on every ball that is not fixed. DEFAULT: none
-  Where where;
+  Coordinates acceleration{};  ///< [length/time^2] uniform, on every ball that is not fixed. DEFAULT: none
+  Where where{};
 };
 
 enum class LawKind : std::uint8_t { restitution, stick, merge };
@@ -40,30 +40,30 @@ enum class LawKind : std::uint8_t { restitution, stick, merge };
 struct CollisionSpec {
   LawKind law = LawKind::restitution;  ///< DEFAULT: restitution
   Number restitution = 1.0;            ///< e [-], 0..1. DEFAULT: 1 (elastic)
-  Where where;
+  Where where{};
 };
 
 struct MaterialSpec {
-  std::string name;
+  std::string name{};
   Number restitution = 1.0;  ///< e [-], 0..1
-  Where where;
+  Where where{};
 };
 
 struct MaterialPairSpec {
-  std::string first, second;
+  std::string first{}, second{};
   Number restitution = 1.0;  ///< e [-], 0..1
-  Where where;
+  Where where{};
 };
 
 struct BallSpec {
-  std::string name;       ///< DEFAULT: none
-  Coordinates position;   ///< [length]
-  Coordinates velocity;   ///< [length/time]. DEFAULT: zero
+  std::string name{};       ///< DEFAULT: none
+  Coordinates position{};   ///< [length]
+  Coordinates velocity{};   ///< [length/time]. DEFAULT: zero
   Number radius = 0.5;    ///< [length], >= 0; 0 is a point particle. DEFAULT: 0.5
   Number mass = 1.0;      ///< [mass], > 0 or inf (keeps its velocity). DEFAULT: 1
-  std::string material;   ///< DEFAULT: none
+  std::string material{};   ///< DEFAULT: none
   bool fixed = false;     ///< never moves: infinite mass, zero velocity. DEFAULT: false
-  Where where;
+  Where where{};
 };
 
 enum class LatticeKind : std::uint8_t { chain, square, hexagonal, cubic, fcc, rack };
@@ -72,29 +72,29 @@ enum class LatticeKind : std::uint8_t { chain, square, hexagonal, cubic, fcc, ra
 struct LatticeSpec {
   LatticeKind kind = LatticeKind::square;
   std::int64_t count = 0;                    ///< balls; rack: follows from rows
-  std::optional<Number> packing_fraction;    ///< [-] sets the radius where none is given
-  std::optional<Number> radius;              ///< [length]
+  std::optional<Number> packing_fraction{};    ///< [-] sets the radius where none is given
+  std::optional<Number> radius{};              ///< [length]
   Number mass = 1.0;                         ///< [mass] DEFAULT: 1
-  std::string material;                      ///< DEFAULT: none
-  std::optional<Number> temperature;         ///< k_B T [energy]. DEFAULT: at rest
+  std::string material{};                      ///< DEFAULT: none
+  std::optional<Number> temperature{};         ///< k_B T [energy]. DEFAULT: at rest
   std::uint64_t seed = 1;                    ///< of the velocities. DEFAULT: 1
   int rows = 5;                              ///< rack: rows. DEFAULT: 5 (15 balls)
   Number gap = 0.0;                          ///< rack: [length] between neighbours, >= 0. DEFAULT: 0
-  Coordinates apex;                          ///< rack: [length] centre of the first ball
-  Coordinates direction;                     ///< rack: from the apex to the last row. DEFAULT: [1, 0]
-  Where where;
+  Coordinates apex{};                          ///< rack: [length] centre of the first ball
+  Coordinates direction{};                     ///< rack: from the apex to the last row. DEFAULT: [1, 0]
+  Where where{};
 };
 
 /// Balls placed without overlap, with Maxwell velocities and zero total momentum.
 struct GasSpec {
   std::int64_t count = 0;
-  std::optional<Number> packing_fraction;  ///< [-] this entry's own share of the space
-  std::optional<Number> radius;            ///< [length]
+  std::optional<Number> packing_fraction{};  ///< [-] this entry's own share of the space
+  std::optional<Number> radius{};            ///< [length]
   Number mass = 1.0;                       ///< [mass] DEFAULT: 1
   Number temperature = 1.0;                ///< k_B T [energy], exact for the sample. DEFAULT: 1
-  std::string material;                    ///< DEFAULT: none
+  std::string material{};                    ///< DEFAULT: none
   std::uint64_t seed = 1;                  ///< DEFAULT: 1
-  Where where;
+  Where where{};
 };
 
 enum class WallKind : std::uint8_t { segment, plane, circle, polygon };
@@ -103,25 +103,25 @@ enum class WallSide : std::uint8_t { inside, outside };
 /// A ball touches a wall at a distance equal to its radius.
 struct WallSpec {
   WallKind kind = WallKind::plane;
-  Coordinates from, to;               ///< segment: its ends [length]
-  Coordinates point, normal;          ///< plane: [length], and the side on which balls stay
-  Coordinates centre;                 ///< circle (sphere in 3-D): [length]
+  Coordinates from{}, to{};               ///< segment: its ends [length]
+  Coordinates point{}, normal{};          ///< plane: [length], and the side on which balls stay
+  Coordinates centre{};                 ///< circle (sphere in 3-D): [length]
   Number radius = 1.0;                ///< circle: [length], > 0
   WallSide side = WallSide::inside;   ///< circle: where the balls are. DEFAULT: inside
-  std::vector<Coordinates> vertices;  ///< polygon: closed [length]
-  Coordinates velocity;               ///< [length/time] segment and plane. DEFAULT: at rest
-  std::optional<Number> restitution;  ///< e [-], 0..1. DEFAULT: from the materials, else [collision]
-  std::string material;               ///< DEFAULT: none
-  Where where;
+  std::vector<Coordinates> vertices{};  ///< polygon: closed [length]
+  Coordinates velocity{};               ///< [length/time] segment and plane. DEFAULT: at rest
+  std::optional<Number> restitution{};  ///< e [-], 0..1. DEFAULT: from the materials, else [collision]
+  std::string material{};               ///< DEFAULT: none
+  Where where{};
 };
 
 struct RunSpec {
   Number start = 0.0;                      ///< [time] the clock at the beginning. DEFAULT: 0
-  std::optional<Number> until;             ///< [time] absolute; events at it are included
-  std::optional<std::int64_t> events;      ///< exactly so many collisions
-  std::optional<Number> sample_every;      ///< [time] between frames
+  std::optional<Number> until{};             ///< [time] absolute; events at it are included
+  std::optional<std::int64_t> events{};      ///< exactly so many collisions
+  std::optional<Number> sample_every{};      ///< [time] between frames
   std::uint64_t seed = 0;                  ///< DEFAULT: 0
-  Where where;
+  Where where{};
 };
 
 enum class SearchKind : std::uint8_t { automatic, all_pairs, cells, neighbour_list };
@@ -131,42 +131,42 @@ enum class QueueKind : std::uint8_t { automatic, heap, calendar };
 struct EngineSpec {
   SearchKind search = SearchKind::automatic;
   QueueKind queue = QueueKind::automatic;
-  Where where;
+  Where where{};
 };
 
 /// What to measure; nothing is measured that is not asked for.
 struct ObserveSpec {
-  std::optional<std::int64_t> after_events;  ///< start measuring after so many collisions. DEFAULT: at once
-  std::optional<Number> after_time;          ///< [time] start measuring then. DEFAULT: at once
+  std::optional<std::int64_t> after_events{};  ///< start measuring after so many collisions. DEFAULT: at once
+  std::optional<Number> after_time{};          ///< [time] start measuring then. DEFAULT: at once
   bool pressure = false;
   bool collision_rate = false;
   bool mean_free_path = false;
   bool speed_histogram = false;
-  Where where;
+  Where where{};
 };
 
 struct OutputSpec {
-  std::string events;      ///< file for the event log. DEFAULT: none
-  std::string trajectory;  ///< file for the frames. DEFAULT: none
-  std::string checkpoint;  ///< file for the state, written at the end and on Ctrl-C. DEFAULT: none
-  std::optional<Number> checkpoint_every_time;          ///< [time] and each such span of the scene's time
-  std::optional<std::int64_t> checkpoint_every_events;  ///< and after each so many collisions
-  Where where;
+  std::string events{};      ///< file for the event log. DEFAULT: none
+  std::string trajectory{};  ///< file for the frames. DEFAULT: none
+  std::string checkpoint{};  ///< file for the state, written at the end and on Ctrl-C. DEFAULT: none
+  std::optional<Number> checkpoint_every_time{};          ///< [time] and each such span of the scene's time
+  std::optional<std::int64_t> checkpoint_every_events{};  ///< and after each so many collisions
+  Where where{};
 };
 
 struct Scene {
-  std::string file;   ///< for messages; empty: made in code
-  std::string title;
+  std::string file{};   ///< for messages; empty: made in code
+  std::string title{};
   int dimension = 2;  ///< 1, 2 or 3. DEFAULT: 2
   SpaceSpec space;
   MotionSpec motion;
   CollisionSpec collision;
-  std::vector<MaterialSpec> materials;
-  std::vector<MaterialPairSpec> material_pairs;
-  std::vector<BallSpec> balls;
-  std::vector<LatticeSpec> lattices;
-  std::vector<GasSpec> gases;
-  std::vector<WallSpec> walls;
+  std::vector<MaterialSpec> materials{};
+  std::vector<MaterialPairSpec> material_pairs{};
+  std::vector<BallSpec> balls{};
+  std::vector<LatticeSpec> lattices{};
+  std::vector<GasSpec> gases{};
+  std::vector<WallSpec> walls{};
   RunSpec run;
   EngineSpec engine;
   ObserveSpec observe;

@@ -396,7 +396,7 @@ class Collider {
   }
 
   [[nodiscard]] static std::string collapse_reason() {
-    return "infinitely many dissipating impacts in finite time (inelastic collapse or a persistent contact)";
+    return "infinitely many dissipating impacts in finite time: inelastic collapse, or a contact that never ends";
   }
   /// The balls and those that they hit last.
   [[nodiscard]] std::vector<std::uint32_t> cluster(std::initializer_list<std::uint32_t> balls) const {
