@@ -10,7 +10,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source src/cmake/packages.sh
 
 # Stages whose tests are run under the sanitizers: those that read input, solve, and own memory.
-sanitized=(core solve scene world sim)
+sanitized=(core solve scene world sim golden)
 
 need_packages "${build_packages[@]}" "${test_packages[@]}"
 jobs=$(nproc)

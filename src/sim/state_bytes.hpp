@@ -68,7 +68,7 @@ class StateVisitor {
     each(b.radius, b.stamp, b.fixed, b.in_contact, b.alive);
   }
   void detail(auto& d) {
-    each(d.mass, d.material, d.rank);
+    each(d.mass, d.material, d.rank, d.reach);
     for (auto& n : d.image) each(n);
     sized(d.contacts, [this](auto& c) {
       each(c.party, c.partner, c.feature);

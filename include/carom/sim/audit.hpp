@@ -38,7 +38,7 @@ template <Motion M>
   std::vector<Real> reach;       // size of the coordinates that entered the position
   for (std::uint32_t i = 0; i < world.balls.size(); ++i) {
     Vec<Real, D> x = world.balls[i].alive ? position_at(motion, world, i, t) : world.balls[i].position;
-    Real size = world.balls[i].radius;
+    Real size = std::max<Real>(world.balls[i].radius, world.details[i].reach);
     for (int k = 0; k < D; ++k) {
       const Real there = abs(x[k]), stored = abs(world.balls[i].position[k]);
       size = std::max<Real>(size, std::max<Real>(there, stored));

@@ -202,9 +202,22 @@ class Collider {
     } else {
       if (detail::infinite(impact.ma)) absorb(world, outcome, impact.mb, j, impact.vb, xb);
       if (detail::infinite(impact.mb)) absorb(world, outcome, impact.ma, i, impact.va, xa);
+      if (!detail::infinite(impact.ma) && !detail::infinite(impact.mb)) recount(world, outcome, event, impact.mb);
       merge_balls(world, motion, i, xa, j, beside, common.velocity, event.time, moved_);
     }
     return outcome;
+  }
+
+  /// In a periodic space under acceleration the mass of ball j is counted from now on in the periods of ball i. What that
+  /// changes in its potential, which is defined up to whole periods only, is booked with what the impact dissipates.
+  void recount(const WorldType& world, Outcome<Real, D>& outcome, const Event<Real, D>& event, const Real& m) const {
+    if (!world.space.periodic() || !M::accelerated) return;
+    for (int k = 0; k < D; ++k) {
+      const std::int64_t turns =
+          event.image[k] + world.details[event.ball].image[k] - world.details[event.partner].image[k];
+      outcome.dissipated =
+          outcome.dissipated + W(m) * W(world.acceleration[k]) * wide_product<Real>(Real(turns), world.space.edge[k]);
+    }
   }
 
   /// A finite mass m that an infinite one absorbs leaves all sums, with its whole energy.

@@ -53,9 +53,10 @@ struct BallDetail {
   std::uint32_t material = 0;  ///< row of the restitution table
   std::int64_t rank = 0;       ///< 1-D: place in the order along the line, which never changes
   std::array<std::int64_t, static_cast<std::size_t>(D)> image{};  ///< periods counted out of the stored position
-  std::vector<Contact<D>> contacts;                               ///< made at the stored time
-  Time<Real> last_hit = Time<Real>::never();                      ///< its previous collision
-  Party last_party = Party::ball;                                 ///< with whom
+  Real reach = Real(0);  ///< [length unit] largest coordinate of the path to the stored position, periods counted in
+  std::vector<Contact<D>> contacts;           ///< made at the stored time
+  Time<Real> last_hit = Time<Real>::never();  ///< its previous collision
+  Party last_party = Party::ball;             ///< with whom
   std::uint32_t last_partner = std::numeric_limits<std::uint32_t>::max();
   std::int32_t last_feature = 0;
   std::int32_t body = -1;  ///< row of World::bodies; -1: a body of its own

@@ -1,6 +1,9 @@
 #pragma once
 // The only places where a ball is looked at between its events, and where its state is written.
 
+#include <algorithm>
+#include <cmath>
+
 #include "carom/motion/motion.hpp"
 #include "carom/world/world.hpp"
 
@@ -52,12 +55,15 @@ inline Turns<D> wrap(const Space<Real, D>& space, Vec<Real, D>& x) {
 template <class Real, int D>
 inline void write_state(World<Real, D>& world, std::uint32_t i, const Vec<Real, D>& x, const Turns<D>& image,
                         const Vec<Real, D>& v, const Time<Real>& t) {
+  using std::abs;
   Ball<Real, D>& ball = world.balls[i];
   BallDetail<Real, D>& detail = world.details[i];
   if (ball.time != t) {
     detail.contacts.clear();
     ball.in_contact = false;
   }
+  detail.reach = Real(0);
+  for (int k = 0; k < D; ++k) detail.reach = std::max<Real>(detail.reach, abs(x[k]));
   ball.position = x;
   const Turns<D> turns = wrap(world.space, ball.position);
   for (int k = 0; k < D; ++k) detail.image[k] = image[k] + turns[k];
@@ -80,8 +86,8 @@ inline void write_body(World<Real, D>& world, Body<Real, D>& body, const Vec<Rea
   }
 }
 
-/// The motion of the body of ball i changes: ball i is at x (not wrapped anew) with velocity v at time t, and so are its fellows,
-/// each at its constant offset. Appends the numbers of all balls written to `written`.
+/// The motion of the body of ball i changes: ball i is at x (not wrapped anew) with velocity v at time t, and so are its
+/// fellows, each at its constant offset. Appends the numbers of all balls written to `written`.
 template <Motion M>
 inline void write_motion(World<typename M::Real, M::dimension>& world, const M& motion, std::uint32_t i,
                          const typename M::Vector& x, const typename M::Vector& v, const Time<typename M::Real>& t,
