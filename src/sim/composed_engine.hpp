@@ -1,6 +1,7 @@
 #pragma once
 // An EventDriven of one motion, search and queue, and the translation of its results into the user's units.
 
+#include <algorithm>
 #include <cmath>
 
 #include "carom/core/error.hpp"
@@ -220,7 +221,8 @@ class ComposedEngine final : public Simulation::Engine {
     // kinetic + potential + dissipated = initial + injected at every moment, so it is largest where injected is. Potential
     // counts from the lowest place that a ball was seen at.
     W lowest(Real(0));
-    if (world_.accelerated() && start_.mass > W(Real(0))) lowest = start_.mass * W(books.lowest_potential);
+    if (world_.accelerated() && start_.mass > W(Real(0)))
+      lowest = start_.mass * W(std::min(books.lowest_potential, now.lowest_potential));
     const Real largest = narrow(W(initial - lowest)) + 2 * books.largest_injected;
     const int unit = world_.units.energy();
     return {user(narrow(initial), unit), user(narrow(final), unit), user(narrow(books.dissipated), unit),
@@ -246,7 +248,9 @@ class ComposedEngine final : public Simulation::Engine {
     return balance(start_.momentum, now.momentum, D, start_.momentum_size, conserved_momentum_, world_.units.momentum());
   }
   [[nodiscard]] VectorBalance angular_momentum(const Totals<Real, D>& now) const {
-    return balance(start_.angular_momentum, now.angular_momentum, Totals<Real, D>::rotations, start_.angular_momentum_size,
+    // A ball that starts at the origin has none to compare with; then what it has now.
+    const Real size = start_.angular_momentum_size > 0 ? start_.angular_momentum_size : now.angular_momentum_size;
+    return balance(start_.angular_momentum, now.angular_momentum, Totals<Real, D>::rotations, size,
                    conserved_momentum_ && D > 1 && !world_.space.periodic() && world_.law == LawKind::restitution,
                    world_.units.angular_momentum());
   }

@@ -60,6 +60,12 @@ template <class Real>
   return places_on_line(world, i, j, image) > 0 ? 1 : -1;
 }
 
+/// Law "merge": what a ball that has just grown overlaps merges with it at the same instant, whichever way it moves.
+template <class Real, int D>
+[[nodiscard]] inline bool overlap_merges(const World<Real, D>& world, const Vec<Real, D>& r, const Real& sigma) {
+  return world.law == LawKind::merge && dot<Real, D>(r, r) < sigma * sigma;
+}
+
 /// A meeting seen from the later of the two stored times.
 template <class Real>
 struct Meeting {
@@ -90,6 +96,7 @@ template <Motion M>
     const Touch touch = may_touch ? touch_of_pair(world, i, j, image) : Touch::none;
     if (M::accelerated && a.fixed != b.fixed) {
       const Real half = s * (motion.acceleration(b.fixed)[0] - motion.acceleration(a.fixed)[0]) / 2;
+      if (touch == Touch::none && world.law == LawKind::merge && gap < 0) return {Real(0), since};
       if (touch == Touch::none) return {first_fall(gap, rate, half), since};
       return {touch == Touch::live && rate < 0 ? Real(0) : next_fall(rate, half), since};
     }
@@ -101,6 +108,7 @@ template <Motion M>
       if (sigma == 0) return {never<Real>(), since};
       const Vec<Real, D> acceleration = motion.acceleration(b.fixed) - motion.acceleration(a.fixed);
       const Touch touch = may_touch ? touch_of_pair(world, i, j, image) : Touch::none;
+      if (touch == Touch::none && overlap_merges<Real, D>(world, r, sigma)) return {Real(0), since};
       if (touch == Touch::none) return {meet_time<Real, D>(r, v, acceleration, sigma), since};
       if (touch == Touch::live && dot<Real, D>(r, v) < 0) return {Real(0), since};
       return {next_meet_time<Real, D>(r, v, acceleration), since};
@@ -110,7 +118,7 @@ template <Motion M>
       if (touch != Touch::none) return {touch == Touch::live && dot<Real, D>(r, v) < 0 ? Real(0) : never<Real>(), since};
     }
     if (sigma == 0) return {never<Real>(), since};  // two points never meet
-    if (world.law == LawKind::merge && dot<Real, D>(r, r) < sigma * sigma) return {Real(0), since};
+    if (overlap_merges<Real, D>(world, r, sigma)) return {Real(0), since};
     return {meet_time<Real, D>(r, v, sigma), since};
   }
 }

@@ -2,6 +2,7 @@
 // Energy, momentum and angular momentum of all balls of finite mass at one moment, in sums of twice the precision.
 
 #include <array>
+#include <limits>
 
 #include "carom/core/double_double.hpp"
 #include "carom/law/impact.hpp"
@@ -22,6 +23,7 @@ struct Totals {
   Real momentum_size{0};          ///< sum of m |v|
   Real angular_momentum_size{0};  ///< sum of m |x| |v|
   Wide<Real> mass{Real(0)};
+  Real lowest_potential = std::numeric_limits<Real>::infinity();  ///< per mass, of all balls
 };
 
 /// Position counted through all periods, in wide arithmetic.
@@ -52,13 +54,15 @@ template <Motion M>
     // The stored velocity itself where the motion is free: looking adds no rounding.
     const Vec<Real, D> v = velocity_at(motion, world, i, t);
     const std::array<W, D> x = unwrapped(world, i, position_at(motion, world, i, t));
-    W vv(Real(0)), xx(Real(0));
+    W vv(Real(0)), xx(Real(0)), potential(Real(0));
     for (int k = 0; k < D; ++k) {
       vv = vv + wide_product<Real>(v[k], v[k]);
       xx = xx + x[k] * x[k];
       sum.momentum[k] = sum.momentum[k] + m * W(v[k]);
-      if (accelerated) sum.potential = sum.potential - m * (x[k] * W(world.acceleration[k]));
+      if (accelerated) potential = potential - x[k] * W(world.acceleration[k]);
     }
+    sum.potential = sum.potential + m * potential;
+    if (narrow(potential) < sum.lowest_potential) sum.lowest_potential = narrow(potential);
     sum.kinetic = sum.kinetic + m * vv * W(Real(1) / 2);
     if constexpr (D == 2) sum.angular_momentum[0] = sum.angular_momentum[0] + m * (x[0] * W(v[1]) - x[1] * W(v[0]));
     if constexpr (D == 3)
