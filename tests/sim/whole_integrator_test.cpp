@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ostream>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -38,6 +39,8 @@ Line line_of(const Collision& c) {
 struct Named {
   const char* name;
   const char* text;
+
+  friend void PrintTo(const Named& scene, std::ostream* out) { *out << scene.name; }
 };
 
 // Small cells, long corridors, fixed partners, radii that differ twentyfold, gravity, every wall, dissipation.
