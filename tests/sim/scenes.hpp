@@ -109,7 +109,9 @@ class Dice {
   for (int i = 0; i < n; ++i) {
     const double radius = dice.between(0.1, 0.6);
     x += radius + dice.between(0.05, 1.0);
-    scene.balls.push_back(ball({x}, {dice.between(-1.0, 1.0)}, radius, dice.between(0.5, 4.0)));
+    const double mass = dice.between(0.5, 4.0);  // in statements of their own: the order of arguments is the compiler's
+    const double speed = dice.between(-1.0, 1.0);
+    scene.balls.push_back(ball({x}, {speed}, radius, mass));
     x += radius;
   }
   scene.space.kind = SpaceKind::box;
