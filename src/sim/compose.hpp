@@ -16,7 +16,7 @@ namespace carom {
 
 namespace detail {
 
-/// Up to this many balls all pairs is the faster search (measured: `carom run` on gases of 8 to 64 disks).
+/// Up to this many balls all pairs is taken. Disks in a box at area fraction 0.3 put the crossing to cells between 8 and 16.
 inline constexpr std::size_t few_balls = 24;
 
 template <class Search, Motion M>
@@ -57,8 +57,7 @@ std::unique_ptr<Simulation::Engine> choose_search(const Scene& scene, World<type
   return make_composed(scene, std::move(world), motion, std::move(composition), CellGrid<Real, D>(Layout::fitted));
 }
 
-/// Up to this many balls the reference is searched by all pairs (measured: 4000 disks still make thousands of collisions a
-/// second).
+/// Up to this many balls the reference is searched by all pairs: some hundred collisions a second at this size.
 inline constexpr std::size_t bearable_pairs = 4000;
 
 template <Motion M>
