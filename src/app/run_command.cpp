@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "carom/core/error.hpp"
+#include "carom/core/precision.hpp"
 #include "carom/observe/observers.hpp"
 #include "carom/sim/simulation.hpp"
 #include "carom/write/checkpoint_file.hpp"
@@ -23,11 +24,6 @@ namespace carom::app {
 namespace {
 
 constexpr std::int64_t shown_balls = 20;  // the table for people lists the balls of scenes up to this size
-
-void refuse_unbuilt(const RunOptions& options) {
-  if (options.precision != "double")
-    throw InputError(Problem{"", 0, "--precision " + options.precision + ": not built yet", "", "It is \"double\""});
-}
 
 double peak_memory_mb() {
   rusage usage{};
@@ -89,7 +85,7 @@ void explain_stop(const Summary& summary, const Simulation& simulation, const Co
   const StopDetail& stopped = *summary.stopped;
   std::string balls;
   for (const std::uint32_t b : stopped.balls) balls += (balls.empty() ? "" : ", ") + std::to_string(b);
-  console.err << fmt::format("carom: stopped at time {}: {} ({} {}). {}\n", stopped.time, stopped.reason,
+  console.err << fmt::format("carom: stopped at time {}: {} ({} {}). {}\n", stopped.time.value, stopped.reason,
                              stopped.balls.size() == 1 ? "ball" : "balls", balls, remedy(summary, simulation));
 }
 
@@ -100,7 +96,7 @@ CLI::App* add_run_command(CLI::App& program, RunOptions& options) {
   add_scene_arguments(*command, options.scene);
   command->add_option("--until", options.scene.until, "Ends at this time, events at it included")->type_name("T");
   command->add_option("--events", options.scene.events, "Ends after so many collisions")->type_name("N");
-  command->add_option("--precision", options.precision, "Arithmetic: double")->type_name("P");
+  command->add_option("--precision", options.precision, "Arithmetic: double, long-double, or decimal digits, as 50")->type_name("P");
   command->add_option("--resume", options.resume, "Goes on from a checkpoint")->type_name("FILE");
   command->add_option("--checkpoint", options.checkpoint, "Saves the state at the end, and on Ctrl-C, in this file")
       ->type_name("FILE");
@@ -116,9 +112,9 @@ CLI::App* add_run_command(CLI::App& program, RunOptions& options) {
 }
 
 ExitStatus run(const RunOptions& options, const Console& console) {
-  refuse_unbuilt(options);
+  const Precision precision = parse_precision(options.precision);
   const Scene scene = read_scene(options.scene);
-  Simulation simulation(scene);
+  Simulation simulation(scene, precision);
   if (!options.resume.empty()) read_checkpoint(options.resume, simulation);
   Observers observers(scene, simulation);
   RunOutputs outputs(scene, options.out, simulation);

@@ -1,8 +1,9 @@
 # The Debian packages that carom is built from, and how to get the missing ones. Sourced by tests/run.sh and examples/quickstart.sh.
 
 build_packages=(g++ cmake ninja-build
-  libboost-dev libeigen3-dev libgsl-dev libfmt-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev)
-test_packages=(libgtest-dev libgmock-dev librapidcheck-dev libmpfr-dev libgmp-dev)
+  libboost-dev libeigen3-dev libgsl-dev libfmt-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev
+  libmpfr-dev libgmp-dev)
+test_packages=(libgtest-dev libgmock-dev librapidcheck-dev)
 
 # need_packages PACKAGE...: installs what is missing. Fails, naming it, where that is not allowed.
 need_packages() {

@@ -23,6 +23,10 @@ class ByteWriter {
   template <class T>
   requires std::is_arithmetic_v<T> || std::is_enum_v<T>
   void put(T value) { bytes_.append(reinterpret_cast<const char*>(&value), sizeof value); }
+  void put(std::string_view text) {
+    put(static_cast<std::uint64_t>(text.size()));
+    bytes_.append(text);
+  }
   [[nodiscard]] const std::string& bytes() const noexcept { return bytes_; }
 
  private:
@@ -49,6 +53,11 @@ class ByteReader {
     T value{};
     get(value);
     return value;
+  }
+  void get(std::string& text) {
+    const std::size_t n = count();
+    text = bytes_.substr(0, n);
+    bytes_.remove_prefix(n);
   }
   /// A count of things of at least one byte each.
   [[nodiscard]] std::size_t count() {

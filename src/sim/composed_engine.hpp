@@ -5,10 +5,12 @@
 #include <cmath>
 
 #include "carom/core/error.hpp"
+#include "carom/core/multi.hpp"
 #include "carom/sim/event_driven.hpp"
 #include "carom/sim/totals.hpp"
 #include "carom/world/build.hpp"
 #include "engine.hpp"
+#include "quantity.hpp"
 #include "state_bytes.hpp"
 
 namespace carom {
@@ -19,8 +21,11 @@ class ComposedEngine final : public Simulation::Engine {
   using Real = typename M::Real;
   static constexpr int D = M::dimension;
 
-  ComposedEngine(const Scene& scene, World<Real, D> world, const M& motion, Composition composition, Search search)
+  /// Made within a PrecisionScope<Real> of `precision`, as every method enters it.
+  ComposedEngine(const Scene& scene, World<Real, D> world, const M& motion, Composition composition, Search search,
+                 const Precision& precision = {})
       : Engine(scene, std::move(composition)),
+        precision_(precision),
         world_(std::move(world)),
         engine_(world_, motion, std::move(search)),
         reached_(world_.start),
@@ -32,6 +37,7 @@ class ComposedEngine final : public Simulation::Engine {
 
   Stop advance(const std::optional<Number>& to, std::optional<std::int64_t> most, const CollisionSink& sink,
                const std::atomic<bool>* interrupt) override {
+    const Scope scope(precision_.digits);
     Time<Real> end = to ? clock_time<Real>(*to, world_.units.time) : Time<Real>::never();
     if (end < reached_) end = reached_;
     const std::int64_t collisions = most.value_or(std::numeric_limits<std::int64_t>::max());
@@ -46,10 +52,19 @@ class ComposedEngine final : public Simulation::Engine {
     return stop_;
   }
 
-  void return_to_last_event() override { reached_ = engine_.now(); }
-  void reverse() override { engine_.reverse(reached_); }
+  void return_to_last_event() override {
+    const Scope scope(precision_.digits);
+    reached_ = engine_.now();
+  }
+  void reverse() override {
+    const Scope scope(precision_.digits);
+    engine_.reverse(reached_);
+  }
 
-  [[nodiscard]] double time() const override { return in_users_time(reached_); }
+  [[nodiscard]] Number time() const override {
+    const Scope scope(precision_.digits);
+    return in_users_time(reached_);
+  }
   [[nodiscard]] const EventCounts& counts() const override { return engine_.counts(); }
   [[nodiscard]] std::uint32_t ball_count() const override { return static_cast<std::uint32_t>(world_.balls.size()); }
   [[nodiscard]] bool alive(std::uint32_t i) const override { return world_.balls.at(i).alive; }
@@ -58,6 +73,7 @@ class ComposedEngine final : public Simulation::Engine {
   [[nodiscard]] Units units() const override { return world_.units; }
 
   [[nodiscard]] BallState ball(std::uint32_t i) const override {
+    const Scope scope(precision_.digits);
     BallState state;
     state.index = i;
     state.name = world_.details.at(i).name;
@@ -77,12 +93,14 @@ class ComposedEngine final : public Simulation::Engine {
   }
 
   [[nodiscard]] Audit audit(AuditBy by) const override {
+    const Scope scope(precision_.digits);
     Audit result = carom::audit(engine_.motion(), world_, reached_, by);
     result.deepest = std::ldexp(result.deepest, world_.units.length);
     return result;
   }
 
   [[nodiscard]] std::string state() const override {
+    const Scope scope(precision_.digits);
     WritingArchive archive;
     archive.out.put(checkpoint_magic);
     archive.out.put(checkpoint_version);
@@ -94,6 +112,7 @@ class ComposedEngine final : public Simulation::Engine {
   }
 
   void restore(std::string_view bytes) override {
+    const Scope scope(precision_.digits);
     const auto refuse = [](const char* what, const char* hint) { throw InputError(Problem{"", 0, what, "", hint}); };
     constexpr std::size_t print_size = sizeof(std::uint64_t);
     if (bytes.size() < 4 * print_size) refuse("the checkpoint is too short to be one", "Give a file that carom wrote");
@@ -125,14 +144,16 @@ class ComposedEngine final : public Simulation::Engine {
   }
 
   [[nodiscard]] Summary summary() const override {
+    const Scope scope(precision_.digits);
     Summary s;
     s.title = title;
     s.dimension = D;
     s.balls = ball_count();
     s.composition = composition().text();
+    s.precision = precision_.text();
     s.seed = seed;
     s.epoch_length = world_.units.epoch_length();
-    s.time = time();
+    s.time = in_users_time(reached_);
     s.stopped_by = stop_;
     if (stop_ == Stop::collapse || stop_ == Stop::non_finite)
       s.stopped = StopDetail{engine_.collider().reason, engine_.collider().reason_balls, in_users_time(engine_.now())};
@@ -143,7 +164,7 @@ class ComposedEngine final : public Simulation::Engine {
     s.angular_momentum = angular_momentum(now);
     const Exactness<Real>& e = engine_.exactness();
     s.exactness = {user(e.max_gap_error, world_.units.length),
-                   static_cast<double>(e.max_gap_error_relative),
+                   user(e.max_gap_error_relative, 0),
                    e.clamped,
                    e.unresolved,
                    e.singular,
@@ -153,6 +174,7 @@ class ComposedEngine final : public Simulation::Engine {
 
  private:
   using W = Wide<Real>;
+  using Scope = PrecisionScope<Real>;
   static constexpr std::uint64_t checkpoint_magic = 0x6d6f726163636863;  // "chccarom"
   static constexpr std::uint64_t checkpoint_version = 1;
 
@@ -173,45 +195,50 @@ class ComposedEngine final : public Simulation::Engine {
   [[nodiscard]] std::uint64_t print_of_scene() const {
     WritingArchive archive;
     StateVisitor<WritingArchive>(archive).world(world_);
-    archive.out.put(D);
-    archive.out.put(world_.units.length);
-    archive.out.put(world_.units.time);
-    archive.out.put(world_.units.mass);
-    archive.out.put(world_.start.epoch);
-    archive.out.put(world_.start.offset);
-    archive.out.put(world_.law);
-    archive.out.put(world_.space.kind);
+    archive(D);
+    archive(world_.units.length);
+    archive(world_.units.time);
+    archive(world_.units.mass);
+    archive(world_.start.epoch);
+    archive(world_.start.offset);
+    archive(world_.law);
+    archive(world_.space.kind);
     for (int k = 0; k < D; ++k) {
-      archive.out.put(world_.space.lower[k]);
-      archive.out.put(world_.space.edge[k]);
-      archive.out.put(world_.acceleration[k]);
+      archive(world_.space.lower[k]);
+      archive(world_.space.edge[k]);
+      archive(world_.acceleration[k]);
     }
-    for (const Real& e : world_.restitution.values()) archive.out.put(e);
+    for (const Real& e : world_.restitution.values()) archive(e);
     world_.walls.for_each([&](const auto& shape) {
-      archive.out.put(index(shape.wall));
-      archive.out.put(shape.feature);
+      archive(index(shape.wall));
+      archive(shape.feature);
       // Where it stands, seen from the corners of a simplex: no two shapes of a kind look alike from all of them.
       Vec<Real, D> from = Vec<Real, D>::Zero();
       for (int k = -1; k < D; ++k) {
         if (k >= 0) from[k] = Real(1);
-        archive.out.put(shape.gap(from));
+        archive(shape.gap(from));
       }
       if constexpr (requires { shape.velocity; })
-        for (int k = 0; k < D; ++k) archive.out.put(shape.velocity[k]);
+        for (int k = 0; k < D; ++k) archive(shape.velocity[k]);
     });
     return fingerprint(archive.out.bytes());
   }
 
-  [[nodiscard]] static double user(const Real& x, int exponent) { return std::ldexp(static_cast<double>(x), exponent); }
-  [[nodiscard]] double in_users_time(const Time<Real>& t) const {
+  /// The nearest double, in the user's unit.
+  [[nodiscard]] static double near(const Real& x, int exponent) { return std::ldexp(static_cast<double>(x), exponent); }
+  [[nodiscard]] double nearest_time(const Time<Real>& t) const {
+    return near(narrow(W(W(Real(t.epoch)) + W(t.offset))), world_.units.time);
+  }
+  [[nodiscard]] static Number user(const Real& x, int exponent) { return quantity(x, exponent); }
+  [[nodiscard]] Number in_users_time(const Time<Real>& t) const {
     return user(narrow(W(W(Real(t.epoch)) + W(t.offset))), world_.units.time);
   }
 
   // 0/0 is 0; a nonzero error of nothing is infinite, and says so.
-  [[nodiscard]] static double ratio(const Real& error, const Real& size) {
+  [[nodiscard]] static Number ratio(const Real& error, const Real& size) {
     using std::abs;
     const Real e = abs(error);
-    return e == 0 ? 0.0 : static_cast<double>(Real(e / size));
+    return e == 0 ? Number(0.0) : quantity(Real(e / size), 0);
   }
 
   [[nodiscard]] EnergyBalance energy(const Totals<Real, D>& now) const {
@@ -264,36 +291,55 @@ class ComposedEngine final : public Simulation::Engine {
     void operator()(const Record<Real, D>& r) const {
       const Units& u = engine.world_.units;
       Collision c;
-      c.time = engine.in_users_time(r.time);
+      c.time = engine.nearest_time(r.time);
       c.epoch = r.time.epoch;
-      c.offset = user(r.time.offset, u.time);
+      c.offset = near(r.time.offset, u.time);
       c.kind = r.kind;
       c.feature = r.feature;
       party(c.ball, r.ball, u);
       party(c.partner, r.partner, u);
       for (int k = 0; k < D; ++k) {
         c.normal[k] = static_cast<double>(r.normal[k]);
-        c.point[k] = user(r.point[k], u.length);
+        c.point[k] = near(r.point[k], u.length);
       }
-      c.impulse = user(r.impulse, u.momentum());
-      c.gap = user(r.gap, u.length);
+      c.impulse = near(r.impulse, u.momentum());
+      c.gap = near(r.gap, u.length);
       c.restitution = static_cast<double>(r.restitution);
-      c.dissipated = user(r.dissipated, u.energy());
-      c.injected = user(r.injected, u.energy());
+      c.dissipated = near(r.dissipated, u.energy());
+      c.injected = near(r.injected, u.energy());
       c.tie = r.tie;
-      sink(c);
+        if constexpr (std::is_same_v<Real, double>) {
+        sink(c);
+      } else {
+        const CollisionDigits digits = digits_of_record(r, u);
+        c.digits = &digits;
+        sink(c);
+      }
+    }
+    [[nodiscard]] CollisionDigits digits_of_record(const Record<Real, D>& r, const Units& u) const {
+      CollisionDigits d;
+      d.time = engine.in_users_time(r.time).text;
+      d.offset = user(r.time.offset, u.time).text;
+      d.impulse = user(r.impulse, u.momentum()).text;
+      for (const auto& [to, from] : {std::pair{&d.ball, &r.ball}, std::pair{&d.partner, &r.partner}})
+        for (int k = 0; k < D; ++k) {
+          to->position[k] = user(from->position[k], u.length).text;
+          to->velocity[k] = user(from->velocity_after[k], u.velocity()).text;
+        }
+      return d;
     }
     static void party(Collision::Party& to, const RecordParty<Real, D>& from, const Units& u) {
       to.number = from.number;
       for (int k = 0; k < D; ++k) {
-        to.position[k] = user(from.position[k], u.length);
+        to.position[k] = near(from.position[k], u.length);
         to.image[k] = from.image[k];
-        to.velocity_before[k] = user(from.velocity_before[k], u.velocity());
-        to.velocity_after[k] = user(from.velocity_after[k], u.velocity());
+        to.velocity_before[k] = near(from.velocity_before[k], u.velocity());
+        to.velocity_after[k] = near(from.velocity_after[k], u.velocity());
       }
     }
   };
 
+  Precision precision_;
   World<Real, D> world_;
   EventDriven<M, Search, Queue> engine_;
   Time<Real> reached_;

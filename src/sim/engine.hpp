@@ -26,7 +26,7 @@ class Simulation::Engine {
                        const std::atomic<bool>* interrupt) = 0;
   virtual void return_to_last_event() = 0;
   virtual void reverse() = 0;
-  [[nodiscard]] virtual double time() const = 0;
+  [[nodiscard]] virtual Number time() const = 0;
   [[nodiscard]] virtual Summary summary() const = 0;
   [[nodiscard]] virtual const EventCounts& counts() const = 0;
   [[nodiscard]] virtual std::uint32_t ball_count() const = 0;
@@ -62,6 +62,14 @@ template <int D>
 extern template std::unique_ptr<Simulation::Engine> make_reference_engine<1>(const Scene&);
 extern template std::unique_ptr<Simulation::Engine> make_reference_engine<2>(const Scene&);
 extern template std::unique_ptr<Simulation::Engine> make_reference_engine<3>(const Scene&);
+
+/// The same in an arithmetic other than double: one composition of each motion.
+template <int D>
+[[nodiscard]] std::unique_ptr<Simulation::Engine> make_precise_engine(const Scene& scene, const Precision& precision);
+
+extern template std::unique_ptr<Simulation::Engine> make_precise_engine<1>(const Scene&, const Precision&);
+extern template std::unique_ptr<Simulation::Engine> make_precise_engine<2>(const Scene&, const Precision&);
+extern template std::unique_ptr<Simulation::Engine> make_precise_engine<3>(const Scene&, const Precision&);
 
 extern template std::unique_ptr<Simulation::Engine> make_engine<1>(const Scene&);
 extern template std::unique_ptr<Simulation::Engine> make_engine<2>(const Scene&);

@@ -8,14 +8,19 @@ namespace carom {
 std::string Composition::text() const { return motion + ", " + search + ", " + queue; }
 
 namespace {
-std::unique_ptr<Simulation::Engine> compose(const Scene& scene) {
+template <int D>
+std::unique_ptr<Simulation::Engine> compose_in(const Scene& scene, const Precision& precision) {
+  return precision.is_double() ? make_engine<D>(scene) : make_precise_engine<D>(scene, precision);
+}
+
+std::unique_ptr<Simulation::Engine> compose(const Scene& scene, const Precision& precision) {
   switch (scene.dimension) {
     case 1:
-      return make_engine<1>(scene);
+      return compose_in<1>(scene, precision);
     case 2:
-      return make_engine<2>(scene);
+      return compose_in<2>(scene, precision);
     case 3:
-      return make_engine<3>(scene);
+      return compose_in<3>(scene, precision);
     default:
       throw InputError(Problem{scene.file, 0, "dimension = " + std::to_string(scene.dimension), "it is 1, 2 or 3", ""});
   }
@@ -33,7 +38,7 @@ std::unique_ptr<Simulation::Engine> compose_reference(const Scene& scene) {
 }
 }  // namespace
 
-Simulation::Simulation(const Scene& scene) : engine_(compose(scene)) {}
+Simulation::Simulation(const Scene& scene, const Precision& precision) : engine_(compose(scene, precision)) {}
 Simulation::Simulation(std::unique_ptr<Engine> engine) : engine_(std::move(engine)) {}
 Simulation Simulation::reference(const Scene& scene) { return Simulation(compose_reference(scene)); }
 Simulation::~Simulation() = default;
@@ -48,7 +53,7 @@ Stop Simulation::advance(const std::optional<Number>& until, std::optional<std::
 }
 
 void Simulation::reverse() { engine_->reverse(); }
-double Simulation::time() const { return engine_->time(); }
+Number Simulation::time() const { return engine_->time(); }
 Summary Simulation::summary() const { return engine_->summary(); }
 const EventCounts& Simulation::counts() const { return engine_->counts(); }
 BallState Simulation::ball(std::uint32_t number) const { return engine_->ball(number); }

@@ -6,6 +6,8 @@
 
 #include <string>
 
+#include <fmt/format.h>
+
 #include "bytes.hpp"
 #include "carom/sim/books.hpp"
 #include "carom/sim/collapse_watch.hpp"
@@ -59,7 +61,13 @@ class StateVisitor {
     archive_.size(v);
     for (auto& x : v) f(x);
   }
-  void wide(auto& x) { each(x.hi, x.lo); }
+  void wide(auto& x) {
+    if constexpr (requires { x.lo; }) {
+      each(x.hi, x.lo);
+    } else {
+      each(x);
+    }
+  }
 
   void ball(auto& b) {
     vector(b.position);
@@ -92,12 +100,34 @@ class StateVisitor {
   Archive& archive_;
 };
 
+/// A real other than double as text that reads back as the same bits.
+template <class Real>
+[[nodiscard]] inline std::string round_trip_text(const Real& x) {
+  if constexpr (std::is_same_v<Real, long double>) {
+    return fmt::format("{:a}", x);
+  } else {
+    return x.str(static_cast<std::streamsize>(x.precision()) + 4, std::ios_base::scientific);
+  }
+}
+template <class Real>
+[[nodiscard]] inline Real value_of_text(const std::string& text) {
+  if constexpr (std::is_same_v<Real, long double>) {
+    return std::stold(text);
+  } else {
+    return Real(text);
+  }
+}
+
 struct WritingArchive {
   ByteWriter out;
 
   template <class T>
   void operator()(const T& x) {
-    out.put(x);
+    if constexpr (std::is_integral_v<T> || std::is_enum_v<T> || std::is_same_v<T, double>) {
+      out.put(x);
+    } else {
+      out.put(std::string_view(round_trip_text(x)));
+    }
   }
   template <class T>
   void size(const std::vector<T>& v) {
@@ -110,7 +140,17 @@ struct ReadingArchive {
 
   template <class T>
   void operator()(T& x) {
-    in.get(x);
+    if constexpr (std::is_integral_v<T> || std::is_enum_v<T> || std::is_same_v<T, double>) {
+      in.get(x);
+    } else {
+      std::string text;
+      in.get(text);
+      try {
+        x = value_of_text<T>(text);
+      } catch (const std::exception&) {
+        throw std::out_of_range("not a number");
+      }
+    }
   }
   template <class T>
   void size(std::vector<T>& v) {

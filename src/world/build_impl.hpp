@@ -22,7 +22,7 @@ namespace carom {
 template <class Real>
 Time<Real> clock_time(const Number& t, int exponent) {
   namespace mp = boost::multiprecision;
-  constexpr int bits = significand_bits<Real>;
+  const int bits = significand_bits<Real>();
   Rational q = exact(t);
   q = exponent > 0 ? Rational(q / Rational(mp::cpp_int(1) << exponent))
                    : Rational(q * Rational(mp::cpp_int(1) << -exponent));
@@ -68,7 +68,7 @@ class WorldBuilder {
     fill_balls();
     fill_restitution();
     order_on_line();
-    find_start_contacts(scene_, world_, doubt_, lines_, problems_);
+    find_start_contacts(scene_, world_, bits_, lines_, problems_);
     throw_problems();
     return std::move(world_);
   }
@@ -218,9 +218,9 @@ class WorldBuilder {
     return s;
   }
 
-  /// Appends a ball; `doubt` counts half-ulps in its inputs.
+  /// Appends a ball; `rounded`: its numbers are doubles, whatever the arithmetic.
   void add_ball(const Vector& x, const Vector& v, const Real& radius, const Number& mass, bool fixed,
-                const std::string& material, std::string name, int line, int doubt) {
+                const std::string& material, std::string name, int line, bool rounded) {
     Ball<Real, D> ball;
     ball.position = x;
     ball.velocity = v;
@@ -229,12 +229,12 @@ class WorldBuilder {
     ball.time = world_.start;
     BallDetail<Real, D> detail;
     detail.image = wrap(world_.space, ball.position);
-    detail.mass = fixed ? std::numeric_limits<Real>::infinity() : real_number<Real>(mass, -world_.units.mass);
+    detail.mass = fixed ? infinity<Real>() : real_number<Real>(mass, -world_.units.mass);
     detail.material = materials_.at(material);
     detail.name = std::move(name);
     world_.balls.push_back(ball);
     world_.details.push_back(std::move(detail));
-    doubt_.push_back(doubt);
+    bits_.push_back(input_bits<Real>(rounded));
     lines_.push_back(line);
   }
 
@@ -244,7 +244,7 @@ class WorldBuilder {
     world_.details.reserve(n);
     for (const BallSpec& b : scene_.balls)
       add_ball(point(b.position), velocity(b.velocity), length(b.radius), b.mass, b.fixed, b.material, b.name, b.where.line,
-               1);
+               scene_.rounded);
     for (const PlacedGroup& g : roster_.groups) {
       const Real radius = length(Number(g.balls.radius));
       for (std::size_t i = 0; i * D < g.balls.position.size(); ++i) {
@@ -254,7 +254,7 @@ class WorldBuilder {
           if (!g.balls.velocity.empty())
             v[k] = real_number<Real>(Number(g.balls.velocity[i * D + k]), -world_.units.velocity());
         }
-        add_ball(x, v, radius, g.mass, false, g.material, "", g.line, 1);
+        add_ball(x, v, radius, g.mass, false, g.material, "", g.line, true);
       }
     }
   }
@@ -309,7 +309,7 @@ class WorldBuilder {
   Vector upper_ = Vector::Zero();
   std::map<std::string, std::uint32_t> materials_;
   std::vector<Surface> surfaces_;
-  std::vector<int> doubt_, lines_;
+  std::vector<int> bits_, lines_;
   std::vector<Problem> problems_;
 };
 

@@ -16,7 +16,7 @@ template <class Real>
   if constexpr (std::is_same_v<Real, double>) {
     return ldexp(number.value, exponent);
   } else {
-    if (!std::isfinite(number.value)) return std::numeric_limits<Real>::infinity();
+    if (!std::isfinite(number.value)) return infinity<Real>();
     const Rational r = exact(number);
     return ldexp(Real(Real(numerator(r)) / Real(denominator(r))), exponent);
   }

@@ -2,7 +2,8 @@
 // Who touches whom at the start, and who overlaps.
 //
 // A gap is judged by f = |r|^2 - sigma^2 (or by the distance to a plane) in wide arithmetic, against the interval that half
-// an ulp of doubt in every input opens around it: 0 inside means contact by right, all of it below 0 means an overlap.
+// an ulp of doubt in every input, and the evaluation where it is not wide, open around it: 0 inside means contact by right,
+// all of it below 0 means an overlap.
 
 #include <string>
 #include <vector>
@@ -16,15 +17,29 @@
 
 namespace carom::detail {
 
-/// Half an ulp of x: the doubt that rounding an input leaves.
+/// Half an ulp of x in a significand of `bits`: the doubt that rounding an input to that leaves.
 template <class Real>
-[[nodiscard]] inline Real half_ulp(const Real& x) {
+[[nodiscard]] inline Real half_ulp(const Real& x, int bits) {
   using std::frexp;
   using std::ldexp;
   if (x == 0) return Real(0);
   int exponent = 0;
   (void)frexp(x, &exponent);
-  return ldexp(Real(1), exponent - 1 - significand_bits<Real>);
+  return ldexp(Real(1), exponent - 1 - bits);
+}
+
+/// Bits that an input is given to: those of a double where it was rounded to one, else those of the world's arithmetic.
+template <class Real>
+[[nodiscard]] inline int input_bits(bool rounded) {
+  return rounded ? significand_bits<double>() : significand_bits<Real>();
+}
+
+/// What the evaluation of a sum of at most eight terms of this size adds to the doubt: nothing in double, which is evaluated
+/// in twice the precision.
+template <class Real>
+[[nodiscard]] inline Real evaluation_doubt(const Real& size) {
+  if constexpr (std::is_same_v<Real, double>) return Real(0);
+  return Real(8 * unit_roundoff<Real>() * size);
 }
 
 /// Sign of a value given to within `doubt`: 0 if it cannot be told from 0.
@@ -37,9 +52,14 @@ template <class Real>
 template <class Real, int D>
 class StartContacts {
  public:
-  StartContacts(const Scene& scene, World<Real, D>& world, const std::vector<int>& doubt, const std::vector<int>& lines,
+  StartContacts(const Scene& scene, World<Real, D>& world, const std::vector<int>& bits, const std::vector<int>& lines,
                 std::vector<Problem>& problems)
-      : scene_(scene), world_(world), doubt_(doubt), lines_(lines), problems_(problems) {}
+      : scene_(scene),
+        world_(world),
+        bits_(bits),
+        lines_(lines),
+        problems_(problems),
+        scene_bits_(input_bits<Real>(scene.rounded)) {}
 
   void find() {
     std::vector<Vec<Real, D>> positions;
@@ -75,19 +95,20 @@ class StartContacts {
     Real doubt(0), spread(0);
     for (int k = 0; k < D; ++k) {
       W r = wide_difference<Real>(b.position[k], a.position[k]);
-      Real d = Real(doubt_[i]) * half_ulp(a.position[k]) + Real(doubt_[j]) * half_ulp(b.position[k]);
+      Real d = half_ulp(a.position[k], bits_[i]) + half_ulp(b.position[k], bits_[j]);
       if (world_.space.periodic()) {
         r = r + wide_product<Real>(Real(image[k]), world_.space.edge[k]);
-        d += abs(Real(image[k])) * half_ulp(world_.space.edge[k]);
+        d += abs(Real(image[k])) * half_ulp(world_.space.edge[k], scene_bits_);
       }
       rr = rr + r * r;
       doubt += 2 * abs(narrow(r)) * d;
       spread += d * d;
     }
-    const Real radii_doubt = Real(doubt_[i]) * half_ulp(a.radius) + Real(doubt_[j]) * half_ulp(b.radius);
+    const Real radii_doubt = half_ulp(a.radius, bits_[i]) + half_ulp(b.radius, bits_[j]);
     doubt += 2 * sigma * radii_doubt + spread + radii_doubt * radii_doubt;
     const W sum = wide_sum<Real>(a.radius, b.radius);
     const Real f = narrow(W(rr - sum * sum));
+    doubt += evaluation_doubt<Real>(narrow(W(rr + sum * sum)));
     const int sign = sign_within(f, doubt);
     if (sign > 0 || (a.fixed && b.fixed)) return;
     if (sign < 0) {
@@ -114,9 +135,12 @@ class StartContacts {
 
   [[nodiscard]] Real doubt_of(const Vec<Real, D>& direction, std::uint32_t i, const Vec<Real, D>& reference) const {
     using std::abs;
-    Real d = Real(doubt_[i]) * half_ulp(world_.balls[i].radius);
+    Real size = world_.balls[i].radius;
+    for (int k = 0; k < D; ++k) size += abs(direction[k]) * (abs(world_.balls[i].position[k]) + abs(reference[k]));
+    Real d = evaluation_doubt<Real>(size);
+    d += half_ulp(world_.balls[i].radius, bits_[i]);
     for (int k = 0; k < D; ++k)
-      d += abs(direction[k]) * (Real(doubt_[i]) * half_ulp(world_.balls[i].position[k]) + half_ulp(reference[k]));
+      d += abs(direction[k]) * (half_ulp(world_.balls[i].position[k], bits_[i]) + half_ulp(reference[k], scene_bits_));
     return d;
   }
 
@@ -159,14 +183,15 @@ class StartContacts {
     Real doubt(0), spread(0);
     for (int k = 0; k < D; ++k) {
       const W r = wide_difference<Real>(b.position[k], sphere.centre[k]);
-      const Real d = Real(doubt_[i]) * half_ulp(b.position[k]) + half_ulp(sphere.centre[k]);
+      const Real d = half_ulp(b.position[k], bits_[i]) + half_ulp(sphere.centre[k], scene_bits_);
       rr = rr + r * r;
       doubt += 2 * abs(narrow(r)) * d;
       spread += d * d;
     }
-    const Real radii_doubt = Real(doubt_[i]) * half_ulp(b.radius) + half_ulp(sphere.radius);
+    const Real radii_doubt = half_ulp(b.radius, bits_[i]) + half_ulp(sphere.radius, scene_bits_);
     doubt += 2 * narrow(reach) * radii_doubt + spread + radii_doubt * radii_doubt;
     const W outside = rr - reach * reach;
+    doubt += evaluation_doubt<Real>(narrow(W(rr + reach * reach)));
     const W f = sphere.inside ? W(Real(0)) - outside : outside;
     // As a length, for the message: f = (|r| - reach)(|r| + reach).
     const Real sum = sqrt(narrow(rr)) + narrow(reach);
@@ -232,15 +257,16 @@ class StartContacts {
 
   const Scene& scene_;
   World<Real, D>& world_;
-  const std::vector<int>& doubt_;
+  const std::vector<int>& bits_;
   const std::vector<int>& lines_;
   std::vector<Problem>& problems_;
+  int scene_bits_;
 };
 
 template <class Real, int D>
-void find_start_contacts(const Scene& scene, World<Real, D>& world, const std::vector<int>& doubt,
+void find_start_contacts(const Scene& scene, World<Real, D>& world, const std::vector<int>& bits,
                          const std::vector<int>& lines, std::vector<Problem>& problems) {
-  StartContacts<Real, D>(scene, world, doubt, lines, problems).find();
+  StartContacts<Real, D>(scene, world, bits, lines, problems).find();
 }
 
 }  // namespace carom::detail

@@ -23,11 +23,11 @@ EventsCsv::EventsCsv(std::string path, const Simulation& simulation, const std::
 void EventsCsv::write(const Collision& c) {
   const bool pair = c.kind == EventKind::ball_ball;
   std::string& line = file_.line();
-  append_number(line, c.time);
+  append_digits(c.time, c.digits ? &c.digits->time : nullptr);
   line += ',';
   append_number(line, c.epoch);
   line += ',';
-  append_number(line, c.offset);
+  append_digits(c.offset, c.digits ? &c.digits->offset : nullptr);
   line += pair ? ",ball_ball," : ",ball_wall,";
   append_number(line, std::int64_t{c.ball.number});
   line += ',';
@@ -38,30 +38,41 @@ void EventsCsv::write(const Collision& c) {
   }
   line += ',';
   append_number(line, std::int64_t{c.feature});
-  append_party(c.ball);
+  append_party(c.ball, c.digits ? &c.digits->ball : nullptr);
   if (pair) {
-    append_party(c.partner);
+    append_party(c.partner, c.digits ? &c.digits->partner : nullptr);
   } else {
     line.append(3 * static_cast<std::size_t>(dimension_), ',');
   }
   line += ',';
-  append_number(line, c.impulse);
+  append_digits(c.impulse, c.digits ? &c.digits->impulse : nullptr);
   line += c.tie ? ",1" : ",0";
   file_.end_line();
   ++written_;
 }
 
-void EventsCsv::append_party(const Collision::Party& party) {
+void EventsCsv::append_digits(double x, const std::string* digits) {
+  if (digits != nullptr) {
+    file_.line() += *digits;
+  } else {
+    append_number(file_.line(), x);
+  }
+}
+
+void EventsCsv::append_party(const Collision::Party& party, const CollisionDigits::Party* digits) {
   std::string& line = file_.line();
-  const auto append = [&](const auto& components) {
+  const auto append = [&](const std::array<double, 3>& components, const std::array<std::string, 3>* texts) {
     for (std::size_t k = 0; k < static_cast<std::size_t>(dimension_); ++k) {
       line += ',';
-      append_number(line, components[k]);
+      append_digits(components[k], texts != nullptr ? &(*texts)[k] : nullptr);
     }
   };
-  append(party.position);
-  append(party.image);
-  append(party.velocity_after);
+  append(party.position, digits != nullptr ? &digits->position : nullptr);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(dimension_); ++k) {
+    line += ',';
+    append_number(line, party.image[k]);
+  }
+  append(party.velocity_after, digits != nullptr ? &digits->velocity : nullptr);
 }
 
 void EventsCsv::finish(Stop stopped_by) {

@@ -5,9 +5,20 @@
 
 #include <nlohmann/json.hpp>
 
+#include "carom/core/number.hpp"
+
 namespace carom {
 
 using Json = nlohmann::ordered_json;
+
+/// All its digits as a string where there are more than a double has, else the double.
+inline void to_json(Json& json, const Number& number) {
+  if (number.text.empty()) {
+    json = number.value;
+  } else {
+    json = number.text;
+  }
+}
 
 /// A line for each key of the object and for each object in an array, ended by a newline. Non-finite numbers are null.
 [[nodiscard]] std::string json_text(const Json& object);

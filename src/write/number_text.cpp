@@ -20,6 +20,14 @@ void append_shortest(std::string& text, T x) {
 void append_number(std::string& text, double x) { append_shortest(text, x); }
 void append_number(std::string& text, std::int64_t x) { append_shortest(text, x); }
 
+void append_number(std::string& text, const Number& x) {
+  if (x.text.empty()) {
+    append_number(text, x.value);
+  } else {
+    text += x.text;
+  }
+}
+
 std::string number_text(double x) {
   std::string text;
   append_number(text, x);

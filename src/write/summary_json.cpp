@@ -7,7 +7,7 @@ namespace carom {
 
 namespace {
 
-Json or_null(const std::optional<double>& x) { return x ? Json(*x) : Json(nullptr); }
+Json or_null(const std::optional<Number>& x) { return x ? Json(*x) : Json(nullptr); }
 
 Json events(const EventCounts& e) {
   return {{"ball_ball", e.ball_ball}, {"ball_wall", e.ball_wall}, {"other", e.other}, {"ties", e.ties}};
@@ -26,7 +26,7 @@ Json momentum(const VectorBalance& b) {
 }
 
 // A scalar in 2-D, a vector in 3-D, nothing on a line.
-Json turning(const std::vector<double>& components) {
+Json turning(const std::vector<Number>& components) {
   if (components.empty()) return nullptr;
   return components.size() == 1 ? Json(components.front()) : Json(components);
 }

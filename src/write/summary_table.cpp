@@ -15,7 +15,7 @@ namespace {
 std::string number(double x) { return fmt::format("{:.9g}", x); }
 std::string size(double x) { return fmt::format("{:.2g}", x); }
 
-std::string vector_text(const std::vector<double>& components) {
+std::string vector_text(const std::vector<Number>& components) {
   if (components.size() == 1) return number(components.front());
   std::string text;
   for (const double x : components) text += (text.empty() ? "(" : ", ") + number(x);

@@ -19,7 +19,7 @@ TrajectoryCsv::TrajectoryCsv(std::string path, const Simulation& simulation, con
 }
 
 void TrajectoryCsv::write_frame(const Simulation& simulation) {
-  const double time = simulation.time();
+  const Number time = simulation.time();
   std::string& line = file_.line();
   const auto append = [&line](const auto& components) {
     for (const auto& x : components) {

@@ -28,7 +28,7 @@ struct Outcome {
 namespace detail {
 template <class Real>
 [[nodiscard]] inline bool infinite(const Real& mass) {
-  return mass == std::numeric_limits<Real>::infinity();
+  return mass == carom::infinity<Real>();
 }
 
 /// The share m_other / (m_own + m_other) of the change of relative velocity that a body takes.

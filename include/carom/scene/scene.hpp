@@ -157,7 +157,8 @@ struct OutputSpec {
 struct Scene {
   std::string file{};   ///< for messages; empty: made in code
   std::string title{};
-  int dimension = 2;  ///< 1, 2 or 3. DEFAULT: 2
+  bool rounded = false;  ///< its numbers are the doubles, half an ulp in doubt; see `rounded_to_double`. DEFAULT: false
+  int dimension = 2;     ///< 1, 2 or 3. DEFAULT: 2
   SpaceSpec space;
   MotionSpec motion;
   CollisionSpec collision;

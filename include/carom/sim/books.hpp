@@ -35,7 +35,7 @@ struct EnergyBooks {
   Wide<Real> injected{Real(0)};
   Real largest_injected = Real(0);  ///< largest value that injected has reached
   Real lowest_potential =
-      std::numeric_limits<Real>::infinity();  ///< per mass, of all states written; accelerated motion only
+      infinity<Real>();  ///< per mass, of all states written; accelerated motion only
 };
 
 }  // namespace carom

@@ -130,7 +130,7 @@ class Collider {
     Impact<Real, D> impact;
     impact.va = velocity_at(motion, world, i, now);
     impact.ma = world.body_mass(i);
-    impact.mb = std::numeric_limits<Real>::infinity();
+    impact.mb = infinity<Real>();
     impact.e = world.restitution.at_wall(a.material, event.partner);
     if (detail::infinite(impact.ma))
       return stop(Verdict::collapse, "a ball of infinite mass meets a wall, and no law says what follows", {i});

@@ -11,12 +11,23 @@
 #include <string_view>
 #include <vector>
 
+#include "carom/core/precision.hpp"
 #include "carom/predict/event.hpp"
 #include "carom/scene/scene.hpp"
 #include "carom/sim/audit.hpp"
 #include "carom/sim/summary.hpp"
 
 namespace carom {
+
+/// All digits of a collision's numbers, as text, where the run is not in double.
+struct CollisionDigits {
+  struct Party {
+    std::array<std::string, 3> position, velocity;  ///< after it
+  };
+  std::string time, offset;
+  Party ball, partner;
+  std::string impulse;
+};
 
 /// A collision in the user's units; components beyond the dimension are 0.
 struct Collision {
@@ -35,6 +46,7 @@ struct Collision {
   std::array<double, 3> normal{}, point{};
   double impulse = 0.0, gap = 0.0, restitution = 1.0, dissipated = 0.0, injected = 0.0;
   bool tie = false;
+  const CollisionDigits* digits = nullptr;  ///< while the sink is called; none in double
 };
 
 using CollisionSink = std::function<void(const Collision&)>;
@@ -49,8 +61,9 @@ struct Composition {
 
 class Simulation {
  public:
-  /// Throws InputError.
-  explicit Simulation(const Scene& scene);
+  /// In the arithmetic of `precision`, from the exact numbers of the scene (double: each rounded once). Other than double it
+  /// is made for few balls: all pairs, and a heap. Throws InputError.
+  explicit Simulation(const Scene& scene, const Precision& precision = {});
 
   /// The same scene by another queue and, where it can be borne, another search: slow, and its log must be the same bit for
   /// bit.
@@ -74,7 +87,7 @@ class Simulation {
   /// Turns every velocity round at time(). Without dissipation and moving walls the run then goes back to its start.
   void reverse();
 
-  [[nodiscard]] double time() const;      ///< [time] that the run has reached
+  [[nodiscard]] Number time() const;      ///< [time] that the run has reached
   [[nodiscard]] Summary summary() const;  ///< at time()
   [[nodiscard]] const EventCounts& counts() const;
   [[nodiscard]] BallState ball(std::uint32_t number) const;  ///< at time()

@@ -1,5 +1,5 @@
 #pragma once
-// The result of a run, in the user's units.
+// The result of a run, in the user's units. Physical numbers have a text where the run was not in double: all their digits.
 
 #include <array>
 #include <cstdint>
@@ -7,38 +7,39 @@
 #include <string>
 #include <vector>
 
+#include "carom/core/number.hpp"
 #include "carom/sim/books.hpp"
 #include "carom/sim/stop.hpp"
 
 namespace carom {
 
 struct EnergyBalance {
-  double initial = 0.0;         ///< kinetic + potential at the start
-  double final = 0.0;           ///< the same at the end
-  double dissipated = 0.0;      ///< by impacts
-  double injected = 0.0;        ///< by moving walls and balls of infinite mass
-  double relative_error = 0.0;  ///< |final + dissipated - initial - injected| / largest energy in play
+  Number initial = 0.0;         ///< kinetic + potential at the start
+  Number final = 0.0;           ///< the same at the end
+  Number dissipated = 0.0;      ///< by impacts
+  Number injected = 0.0;        ///< by moving walls and balls of infinite mass
+  Number relative_error = 0.0;  ///< |final + dissipated - initial - injected| / largest energy in play
 };
 
 struct VectorBalance {
-  std::vector<double> initial, final;
-  std::optional<double> relative_error;  ///< none where walls, forces or infinite masses change it
+  std::vector<Number> initial, final;
+  std::optional<Number> relative_error;  ///< none where walls, forces or infinite masses change it
 };
 
 struct BallState {
   std::uint32_t index = 0;
   std::string name;
-  std::vector<double> position;  ///< wrapped
+  std::vector<Number> position;  ///< wrapped
   std::vector<std::int64_t> image;
-  std::vector<double> unwrapped_position;
-  std::vector<double> velocity;
-  double radius = 0.0;
-  double mass = 1.0;
+  std::vector<Number> unwrapped_position;
+  std::vector<Number> velocity;
+  Number radius = 0.0;
+  Number mass = 1.0;
 };
 
 struct ExactnessSummary {
-  double max_gap_error = 0.0;           ///< [length]
-  double max_gap_error_relative = 0.0;  ///< over the sum of the radii in contact
+  Number max_gap_error = 0.0;           ///< [length]
+  Number max_gap_error_relative = 0.0;  ///< over the sum of the radii in contact
   std::int64_t clamped = 0;
   std::int64_t unresolved = 0;
   std::int64_t singular = 0;
@@ -48,7 +49,7 @@ struct ExactnessSummary {
 struct StopDetail {
   std::string reason;
   std::vector<std::uint32_t> balls;
-  double time = 0.0;
+  Number time = 0.0;
 };
 
 struct Summary {
@@ -59,7 +60,7 @@ struct Summary {
   std::string precision = "double";
   std::uint64_t seed = 0;
   double epoch_length = 1.0;
-  double time = 0.0;
+  Number time = 0.0;
   Stop stopped_by = Stop::until;
   std::optional<StopDetail> stopped;  ///< with collapse and non_finite
   EventCounts events;

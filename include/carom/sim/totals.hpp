@@ -23,7 +23,7 @@ struct Totals {
   Real momentum_size{0};          ///< sum of m |v|
   Real angular_momentum_size{0};  ///< sum of m |x| |v|
   Wide<Real> mass{Real(0)};
-  Real lowest_potential = std::numeric_limits<Real>::infinity();  ///< per mass, of all balls
+  Real lowest_potential = infinity<Real>();  ///< per mass, of all balls
 };
 
 /// Position counted through all periods, in wide arithmetic.

@@ -84,7 +84,7 @@ template <Real T>
   const T resolution = 2 * unit_roundoff<T>();
   T s = (lo + hi) / 2;
   T step = hi - lo;
-  for (int i = 0; i < 4 * significand_bits<T>; ++i) {
+  for (int i = 0; i < 4 * significand_bits<T>(); ++i) {
     const Enclosed<T> p_s = p.enclose(s);
     if (p_s.sign() == 0) return s;
     (p_s.sign() == sign ? lo : hi) = s;

@@ -30,7 +30,8 @@ class EventsCsv {
   void finish(Stop stopped_by);
 
  private:
-  void append_party(const Collision::Party& party);
+  void append_digits(double x, const std::string* digits);
+  void append_party(const Collision::Party& party, const CollisionDigits::Party* digits);
 
   OutputFile file_;
   int dimension_;

@@ -4,11 +4,15 @@
 #include <cstdint>
 #include <string>
 
+#include "carom/core/number.hpp"
+
 namespace carom {
 
 /// Appends the shortest text that reads back as `x`, whatever the locale: "0.1", "5", "1e+22", "-0", "inf", "nan".
 void append_number(std::string& text, double x);
 void append_number(std::string& text, std::int64_t x);
+/// All its digits where it has a text.
+void append_number(std::string& text, const Number& x);
 
 [[nodiscard]] std::string number_text(double x);
 

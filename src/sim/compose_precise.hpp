@@ -1,0 +1,51 @@
+#pragma once
+// From a scene to a composition in an arithmetic other than double: all pairs and a heap, made for few balls.
+
+#include "carom/core/multi.hpp"
+#include "carom/motion/free_flight.hpp"
+#include "carom/motion/uniform_acceleration.hpp"
+#include "carom/queue/heap_queue.hpp"
+#include "carom/search/cell_grid.hpp"
+#include "composed_engine.hpp"
+#include "engine.hpp"
+#include "../world/build_impl.hpp"
+
+namespace carom {
+
+namespace detail {
+
+template <Motion M>
+std::unique_ptr<Simulation::Engine> make_precise(const Scene& scene, World<typename M::Real, M::dimension> world,
+                                                 const M& motion, const Precision& precision) {
+  using Real = typename M::Real;
+  constexpr int D = M::dimension;
+  using Search = CellGrid<Real, D>;  // one cell: all pairs, and in a periodic space their images
+  using Queue = HeapQueue<Real, D>;
+  Composition composition{M::name, "all pairs", Queue::name, {}};
+  composition.reasons.push_back(M::accelerated ? "uniform acceleration: every ball that is not fixed flies a parabola"
+                                               : "free flight: no acceleration, so paths are straight lines");
+  composition.reasons.push_back("all pairs and a heap: what every precision other than double is given");
+  return std::make_unique<ComposedEngine<M, Search, Queue>>(scene, std::move(world), motion, std::move(composition),
+                                                            Search(Layout::one_cell), precision);
+}
+
+template <class Real, int D>
+std::unique_ptr<Simulation::Engine> make_in(const Scene& scene, const Precision& precision) {
+  const PrecisionScope<Real> scope(precision.digits);
+  World<Real, D> world = build<Real, D>(scene);
+  if (world.accelerated()) {
+    const UniformAcceleration<Real, D> motion{world.acceleration};
+    return make_precise(scene, std::move(world), motion, precision);
+  }
+  return make_precise(scene, std::move(world), FreeFlight<Real, D>{}, precision);
+}
+
+}  // namespace detail
+
+template <int D>
+std::unique_ptr<Simulation::Engine> make_precise_engine(const Scene& scene, const Precision& precision) {
+  return precision.kind == Precision::Kind::long_double ? detail::make_in<long double, D>(scene, precision)
+                                                        : detail::make_in<Multi, D>(scene, precision);
+}
+
+}  // namespace carom

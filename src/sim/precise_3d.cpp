@@ -1,0 +1,5 @@
+#include "compose_precise.hpp"
+
+namespace carom {
+template std::unique_ptr<Simulation::Engine> make_precise_engine<3>(const Scene&, const Precision&);
+}  // namespace carom
