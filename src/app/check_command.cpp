@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <limits>
 #include <optional>
 
 #include <fmt/core.h>
 
+#include "carom/observe/horizon.hpp"
 #include "carom/sim/simulation.hpp"
 #include "carom/write/number_text.hpp"
 #include "carom/write/summary_json.hpp"
@@ -62,6 +64,7 @@ struct Findings {
   bool same_log = false;
   std::optional<double> echo;  ///< largest distance from the start [length]; none where time has no mirror
   std::string no_echo;         ///< why none
+  std::optional<Horizon> horizon;
   bool interrupted = false;
 };
 
@@ -77,6 +80,7 @@ class Check {
     found_.summary = simulation.summary();
     if (!interrupted()) compare_log(log);
     if (!interrupted()) run_back(simulation, start);
+    if (!interrupted() && options_.horizon > 0) look_for_horizon();
     found_.interrupted = interrupted();
     return std::move(found_);
   }
@@ -144,6 +148,12 @@ class Check {
     found_.echo = largest;
   }
 
+  void look_for_horizon() {
+    HorizonOptions options;
+    options.collisions = options_.horizon;
+    found_.horizon = find_horizon(scene_, options, &interrupt_);
+  }
+
   [[nodiscard]] std::string why_no_echo() const {
     if (scene_.collision.law != LawKind::restitution) return "the law joins balls for good";
     if (found_.summary.energy.dissipated != 0) return "impacts dissipate";
@@ -159,6 +169,27 @@ class Check {
   const std::atomic<bool>& interrupt_;
   Findings found_;
 };
+
+Json as_json(const std::optional<HorizonMark>& mark) {
+  return mark ? Json{{"event", mark->event}, {"time", mark->time}} : Json(nullptr);
+}
+
+Json as_json(const Horizon& h) {
+  const auto or_null = [](const std::optional<double>& x) { return x ? Json(*x) : Json(nullptr); };
+  return {{"event", h.partner ? Json(h.partner->event) : Json(nullptr)},
+          {"time", h.partner ? Json(h.partner->time) : Json(nullptr)},
+          {"digits_per_collision", or_null(h.digits_per_collision)},
+          {"digits_lost", or_null(h.digits_lost)},
+          {"compared", h.compared},
+          {"precision", h.digits},
+          {"order", as_json(h.order)},
+          {"length", h.length},
+          {"percent", as_json(h.percent)},
+          {"radius", as_json(h.radius)},
+          {"position_error", h.largest_error},
+          {"input", as_json(h.input)},
+          {"input_error", h.input_error}};
+}
 
 Json as_json(const Findings& f) {
   Json echo = f.echo ? Json(*f.echo) : Json(nullptr);
@@ -177,7 +208,25 @@ Json as_json(const Findings& f) {
           {"reference", f.reference},
           {"same_log", f.same_log},
           {"echo_error", echo},
-          {"horizon", nullptr}};  // needs a run in higher precision
+          {"horizon", f.horizon ? as_json(*f.horizon) : Json(nullptr)}};
+}
+
+std::string at(const HorizonMark& m) { return fmt::format("collision {}, time {}", m.event, number_text(m.time)); }
+
+void print(std::ostream& out, const Horizon& h, const std::function<void(const char*, const std::string&)>& row) {
+  const std::string compared = fmt::format("the first {} collisions beside {} digits from the same doubles", h.compared, h.digits);
+  row("horizon", h.partner ? "a ball meets somebody else at " + at(*h.partner) : "every ball meets whom it should in " + compared);
+  if (h.partner) row("", compared);
+  if (h.order) row("", "another order first at " + at(*h.order));
+  const std::string size = fmt::format("{:.3g}", h.length);
+  if (h.percent) row("", fmt::format("positions wrong by 1 % of {} at {}", size, at(*h.percent)));
+  if (h.radius) row("", fmt::format("positions wrong by {} at {}", size, at(*h.radius)));
+  if (!h.percent) row("", fmt::format("positions wrong by {:.2g} at most", h.largest_error));
+  if (h.digits_lost)
+    row("", fmt::format("a small error grows by {:.1f} digits, {:.2g} a collision", *h.digits_lost, *h.digits_per_collision));
+  row("", h.input ? fmt::format("rounding the scene's numbers alone: wrong by 1 % of {} at {}", size, at(*h.input))
+                  : fmt::format("rounding the scene's numbers alone: wrong by {:.2g} at most", h.input_error));
+  out << std::flush;
 }
 
 void print(std::ostream& out, const Findings& f) {
@@ -193,6 +242,7 @@ void print(std::ostream& out, const Findings& f) {
   row("clamped", fmt::format("{} events found in the past", f.summary.exactness.clamped));
   row("same log",
       fmt::format("{}: {} against {}", f.same_log ? "yes, bit for bit" : "NO", f.summary.composition, f.reference));
+  if (f.horizon) print(out, *f.horizon, row);
   row("echo error", f.echo ? fmt::format("{:.2g} from the start after running back", *f.echo) : "none: " + f.no_echo);
   out << "\n  A large echo error is no error of the run: it is how far chaos has amplified the rounding on the way there "
          "and back.\n";
@@ -208,10 +258,14 @@ CLI::App* add_check_command(CLI::App& program, CheckOptions& options) {
   command->add_option("--audits", options.audits, "Full overlap audits along the run (default 100)")
       ->type_name("N")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 40));
+  command->add_option("--horizon", options.horizon, "Collisions compared with high precision at most; 0: none (default 20000)")
+      ->type_name("N")
+      ->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 40));
   command->add_flag("--json", options.json, "Prints one JSON object");
   command->footer(
-      "Conservation, a full audit for overlaps, the same log from another queue and search, and the echo: all velocities\n"
-      "turned round at the end, run back, distance from the start.\n\n"
+      "Conservation, a full audit for overlaps, the same log from another queue and search, the horizon: the first collision\n"
+      "that a run in high precision has otherwise, and the echo: all velocities turned round at the end, run back, distance\n"
+      "from the start.\n\n"
       "Example:\n  carom check scene.toml --events 10000\n\n"
       "Exit status: 3 if overlaps are found or the logs differ.");
   return command;

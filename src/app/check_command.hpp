@@ -14,6 +14,7 @@ namespace carom::app {
 struct CheckOptions {
   SceneArguments scene;
   std::int64_t audits = 100;  ///< full audits along the run
+  std::int64_t horizon = 20'000;  ///< collisions compared with high precision at most
   bool json = false;
 };
 

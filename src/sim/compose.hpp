@@ -16,9 +16,6 @@ namespace carom {
 
 namespace detail {
 
-/// Up to this many balls all pairs is taken. Disks in a box at area fraction 0.3 put the crossing to cells between 8 and 16.
-inline constexpr std::size_t few_balls = 24;
-
 template <class Search, Motion M>
 std::unique_ptr<Simulation::Engine> make_composed(const Scene& scene, World<typename M::Real, M::dimension> world,
                                                   const M& motion, Composition composition, Search search) {

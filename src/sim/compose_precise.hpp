@@ -1,5 +1,7 @@
 #pragma once
-// From a scene to a composition in an arithmetic other than double: all pairs and a heap, made for few balls.
+// From a scene to a composition in an arithmetic other than double: one search for all, and a heap.
+
+#include <fmt/format.h>
 
 #include "carom/core/multi.hpp"
 #include "carom/motion/free_flight.hpp"
@@ -19,14 +21,16 @@ std::unique_ptr<Simulation::Engine> make_precise(const Scene& scene, World<typen
                                                  const M& motion, const Precision& precision) {
   using Real = typename M::Real;
   constexpr int D = M::dimension;
-  using Search = CellGrid<Real, D>;  // one cell: all pairs, and in a periodic space their images
+  using Search = CellGrid<Real, D>;  // with one cell it is all pairs, and in a periodic space their images
   using Queue = HeapQueue<Real, D>;
-  Composition composition{M::name, "all pairs", Queue::name, {}};
+  const std::size_t n = world.balls.size();
+  const bool few = scene.engine.search == SearchKind::all_pairs || (scene.engine.search == SearchKind::automatic && n <= few_balls);
+  Composition composition{M::name, few ? "all pairs" : Search::name, Queue::name, {}};
   composition.reasons.push_back(M::accelerated ? "uniform acceleration: every ball that is not fixed flies a parabola"
                                                : "free flight: no acceleration, so paths are straight lines");
-  composition.reasons.push_back("all pairs and a heap: what every precision other than double is given");
+  composition.reasons.push_back(fmt::format("{} and a heap: {} balls in a precision other than double", composition.search, n));
   return std::make_unique<ComposedEngine<M, Search, Queue>>(scene, std::move(world), motion, std::move(composition),
-                                                            Search(Layout::one_cell), precision);
+                                                            Search(few ? Layout::one_cell : Layout::fitted), precision);
 }
 
 template <class Real, int D>

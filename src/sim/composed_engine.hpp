@@ -71,6 +71,11 @@ class ComposedEngine final : public Simulation::Engine {
   [[nodiscard]] std::uint32_t wall_count() const override { return static_cast<std::uint32_t>(world_.walls.labels.size()); }
   [[nodiscard]] std::string wall_label(std::uint32_t wall) const override { return world_.walls.labels.at(wall); }
   [[nodiscard]] Units units() const override { return world_.units; }
+  [[nodiscard]] std::array<double, 3> periods() const override {
+    std::array<double, 3> edge{};
+    for (int k = 0; k < D && world_.space.periodic(); ++k) edge[k] = near(world_.space.edge[k], world_.units.length);
+    return edge;
+  }
 
   [[nodiscard]] BallState ball(std::uint32_t i) const override {
     const Scope scope(precision_.digits);

@@ -68,6 +68,7 @@ std::vector<BallState> Simulation::balls() const {
 void Simulation::return_to_last_event() { engine_->return_to_last_event(); }
 std::uint32_t Simulation::wall_count() const { return engine_->wall_count(); }
 std::string Simulation::wall_label(std::uint32_t wall) const { return engine_->wall_label(wall); }
+std::array<double, 3> Simulation::periods() const { return engine_->periods(); }
 int Simulation::dimension() const { return engine_->dimension; }
 double Simulation::epoch_length() const { return engine_->units().epoch_length(); }
 const Composition& Simulation::composition() const { return engine_->composition(); }

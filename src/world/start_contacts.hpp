@@ -5,6 +5,7 @@
 // an ulp of doubt in every input, and the evaluation where it is not wide, open around it: 0 inside means contact by right,
 // all of it below 0 means an overlap.
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -42,11 +43,13 @@ template <class Real>
   return Real(8 * unit_roundoff<Real>() * size);
 }
 
-/// Sign of a value given to within `doubt`: 0 if it cannot be told from 0.
+/// Sign of a value given to within `doubt`, from inputs of `bits`: 0 if it cannot be told from 0. What would be contact in
+/// double is never an overlap in a higher precision: users write as many digits as a double has.
 template <class Real>
-[[nodiscard]] inline int sign_within(const Real& value, const Real& doubt) {
+[[nodiscard]] inline int sign_within(const Real& value, const Real& doubt, int bits) {
+  using std::ldexp;
   if (value > doubt) return 1;
-  return value < -doubt ? -1 : 0;
+  return value < -ldexp(doubt, std::max(0, bits - significand_bits<double>())) ? -1 : 0;
 }
 
 template <class Real, int D>
@@ -109,7 +112,7 @@ class StartContacts {
     const W sum = wide_sum<Real>(a.radius, b.radius);
     const Real f = narrow(W(rr - sum * sum));
     doubt += evaluation_doubt<Real>(narrow(W(rr + sum * sum)));
-    const int sign = sign_within(f, doubt);
+    const int sign = sign_within(f, doubt, std::min(bits_[i], bits_[j]));
     if (sign > 0 || (a.fixed && b.fixed)) return;
     if (sign < 0) {
       if (i == j) {
@@ -214,7 +217,7 @@ class StartContacts {
     const Real tilt = axis_aligned(segment.direction) ? Real(0) : Real(4 * unit_roundoff<Real>() * size);
     const Real doubt = doubt_of(segment.direction, i, segment.from) + tilt;
     const Real h = narrow(height);
-    int side = sign_within(h, doubt);
+    int side = sign_within(h, doubt, bits_[i]);
     if (side == 0) {  // on the wall: the side that the velocity points to
       const Real rate = dot<Real, D>(segment.direction, b.velocity - segment.velocity);
       const Real pull = dot<Real, D>(segment.direction, world_.acceleration);
@@ -225,7 +228,7 @@ class StartContacts {
 
   template <class Shape>
   void settle(std::uint32_t i, const Shape& shape, const Real& gap, const Real& doubt, std::int8_t side = 0) {
-    const int sign = sign_within(gap, doubt);
+    const int sign = sign_within(gap, doubt, bits_[i]);
     if (sign > 0 || world_.balls[i].fixed) return;
     if (sign < 0) {
       const std::string where = label(shape);

@@ -21,7 +21,8 @@ struct Audit {
 };
 
 /// How deep rounding alone can make two parties overlap: each position carries up to 2 ulp of its largest coordinate from
-/// the advance to contact and up to 2 more from the advance to the audit, and the contact time a rounding of the flight.
+/// the advance to contact and up to 2 more from the advance to the audit; the contact time a rounding of the flight, and
+/// one to a tick of the clock, in which a ball moves by its speed times a unit roundoff.
 inline constexpr double audit_ulp = 32.0;
 
 enum class AuditBy : std::uint8_t { every_pair, grid };
@@ -35,11 +36,13 @@ template <Motion M>
   constexpr int D = M::dimension;
   Audit result;
   std::vector<Vec<Real, D>> at;  // wrapped
-  std::vector<Real> reach;       // size of the coordinates that entered the position
+  std::vector<Real> reach;       // size of the coordinates that entered the position, and of the way in an epoch
   for (std::uint32_t i = 0; i < world.balls.size(); ++i) {
     Vec<Real, D> x = world.balls[i].alive ? position_at(motion, world, i, t) : world.balls[i].position;
     Real size = std::max<Real>(world.balls[i].radius, world.details[i].reach);
+    const Vec<Real, D> v = world.balls[i].alive ? velocity_at(motion, world, i, t) : world.balls[i].velocity;
     for (int k = 0; k < D; ++k) {
+      size = std::max<Real>(size, abs(v[k]));
       const Real there = abs(x[k]), stored = abs(world.balls[i].position[k]);
       size = std::max<Real>(size, std::max<Real>(there, stored));
       if (world.space.periodic()) size = std::max<Real>(size, Real(abs(world.space.lower[k]) + world.space.edge[k]));

@@ -61,8 +61,7 @@ struct Composition {
 
 class Simulation {
  public:
-  /// In the arithmetic of `precision`, from the exact numbers of the scene (double: each rounded once). Other than double it
-  /// is made for few balls: all pairs, and a heap. Throws InputError.
+  /// In the arithmetic of `precision`, from the exact numbers of the scene (double: each rounded once). Throws InputError.
   explicit Simulation(const Scene& scene, const Precision& precision = {});
 
   /// The same scene by another queue and, where it can be borne, another search: slow, and its log must be the same bit for
@@ -95,6 +94,7 @@ class Simulation {
   [[nodiscard]] std::uint32_t wall_count() const;            ///< [[wall]]s, then the faces of the box
   [[nodiscard]] std::string wall_label(std::uint32_t wall) const;
   [[nodiscard]] int dimension() const;
+  [[nodiscard]] std::array<double, 3> periods() const;  ///< [length] of a periodic space; 0 where there is none
   [[nodiscard]] double epoch_length() const;
   [[nodiscard]] const Composition& composition() const;
   /// Overlaps at time(), in the user's unit of length.

@@ -1,0 +1,39 @@
+#include "carom/scene/rounded.hpp"
+
+namespace carom {
+
+namespace {
+
+void round(Number& number) { number.text.clear(); }
+void round(Coordinates& coordinates) {
+  for (Number& number : coordinates) round(number);
+}
+void round(std::optional<Number>& number) {
+  if (number) round(*number);
+}
+template <class... Fields>
+void round_all(Fields&... fields) {
+  (round(fields), ...);
+}
+
+}  // namespace
+
+Scene rounded_to_double(Scene scene) {
+  scene.rounded = true;
+  round_all(scene.space.lower, scene.space.upper, scene.space.restitution, scene.motion.acceleration,
+            scene.collision.restitution);
+  for (MaterialSpec& m : scene.materials) round(m.restitution);
+  for (MaterialPairSpec& m : scene.material_pairs) round(m.restitution);
+  for (BallSpec& b : scene.balls) round_all(b.position, b.velocity, b.radius, b.mass);
+  for (LatticeSpec& l : scene.lattices)
+    round_all(l.packing_fraction, l.radius, l.mass, l.temperature, l.gap, l.apex, l.direction);
+  for (GasSpec& g : scene.gases) round_all(g.packing_fraction, g.radius, g.mass, g.temperature);
+  for (WallSpec& w : scene.walls)
+    round_all(w.from, w.to, w.point, w.normal, w.centre, w.radius, w.velocity, w.restitution);
+  for (WallSpec& w : scene.walls)
+    for (Coordinates& vertex : w.vertices) round(vertex);
+  round_all(scene.run.start, scene.run.until, scene.run.sample_every);
+  return scene;
+}
+
+}  // namespace carom
