@@ -62,8 +62,8 @@ inline void write_state(World<Real, D>& world, std::uint32_t i, const Vec<Real, 
     detail.contacts.clear();
     ball.in_contact = false;
   }
-  detail.reach = Real(0);
-  for (int k = 0; k < D; ++k) detail.reach = std::max<Real>(detail.reach, abs(x[k]));
+  for (int k = 0; k < D; ++k)
+    detail.reach = std::max<Real>(detail.reach, std::max<Real>(abs(ball.position[k]), abs(x[k])));
   ball.position = x;
   const Turns<D> turns = wrap(world.space, ball.position);
   for (int k = 0; k < D; ++k) detail.image[k] = image[k] + turns[k];
