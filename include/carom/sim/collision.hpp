@@ -88,12 +88,13 @@ class Collider {
     if (world.law == LawKind::restitution) {
       outcome = resolve_impact(impact);
       const Turns<D> image_a = a.image, image_b = b.image;
+      const Vector from_a = narrowed(impact.r);
       sides_.note(world, i);
       write_motion(world, motion, i, xa, outcome.va, now, moved_);
-      sides_.keep(world, i);
+      sides_.keep(world, i, Vector(-from_a));
       sides_.note(world, j);
       write_motion(world, motion, j, xb, outcome.vb, now, moved_);
-      sides_.keep(world, j);
+      sides_.keep(world, j, from_a);
       hold_pair(world, i, j, event.image, image_a, image_b);
     } else {
       outcome = unite(world, motion, event, impact, xa, xb, moved_);
@@ -161,7 +162,7 @@ class Collider {
     write_motion(world, motion, i, x, outcome.va, now, moved_);
     hold_contact(world, i,
                  Contact<D>{Party::wall, event.partner, event.feature, {}, event.side, true, world.balls[i].stamp, 0});
-    sides_.keep(world, i);
+    sides_.keep(world, i, Vector(-narrowed(impact.r)));
 
     ++counts.ball_wall;
     note_potential(world, i);
@@ -228,6 +229,11 @@ class Collider {
     ball.last_feature = feature;
   }
 
+  [[nodiscard]] static Vector narrowed(const std::array<W, D>& r) {
+    Vector v;
+    for (int k = 0; k < D; ++k) v[k] = narrow(r[k]);
+    return v;
+  }
   [[nodiscard]] static bool finite(const Vector& v) {
     for (int k = 0; k < D; ++k)
       if (!(v[k] - v[k] == 0)) return false;

@@ -11,8 +11,9 @@
 
 namespace carom {
 
-/// A point stored next to a segment that it did not hit may have been rounded across it. It holds the side that it flew
-/// on: it touches that segment, and hits it if it closes.
+/// A point stored next to a segment that it did not hit may have been rounded across it, or past the end of it. It holds the
+/// side that it flew on: it touches that segment, and hits it if it closes. So in a convex corner a point that hits one edge
+/// as close to the vertex as rounding can tell has still the other edge before it, and cannot get out between the two.
 template <class Real, int D>
 class Sides {
  public:
@@ -31,17 +32,12 @@ class Sides {
       }
     }
   }
-  /// ... and after it.
-  void keep(WorldType& world, std::uint32_t i) const {
-    using std::abs;
+  /// ... and after it. `normal` points away from what the ball has just hit, with any length.
+  void keep(WorldType& world, std::uint32_t i, const Vec<Real, D>& normal) const {
     if constexpr (D == 2) {
-      const Ball<Real, D>& ball = world.balls[i];
       for (std::size_t k = 0; k < sides_.size(); ++k) {
         const Segment<Real>& s = world.walls.segments[k];
-        const Vec<Real, D> at = ball.position - drift(world, s, ball.time);
-        if (sides_[k] == 0 || sides_[k] * s.height(at) > 0) continue;
-        if (abs(s.height(at)) > position_doubt(at, s)) continue;  // it flew across the line, beside the segment
-        if (dot<Real, D>(s.along, at - s.from) < 0 || dot<Real, D>(s.along, at - s.to) > 0) continue;
+        if (sides_[k] == 0 || !lost(world, i, s, sides_[k], normal)) continue;
         if (wall_contact(world, i, index(s.wall), s.feature) != nullptr) continue;
         hold_contact(world, i, Contact<D>{Party::wall, index(s.wall), s.feature, {}, sides_[k], false, 0, 0});
       }
@@ -49,11 +45,30 @@ class Sides {
   }
 
  private:
-  /// How far rounding can put a stored point off its path, and the height that is computed of it off the truth: at most 8 u
-  /// of the coordinates in play (two roundings of the advance, three of the height).
-  [[nodiscard]] static Real position_doubt(const Vec<Real, 2>& at, const Segment<Real>& s) {
+  /// The stored position alone does not say any more that the ball is on that side of the segment.
+  [[nodiscard]] static bool lost(const WorldType& world, std::uint32_t i, const Segment<Real>& s, std::int8_t side,
+                                 const Vec<Real, 2>& normal) {
     using std::abs;
-    return 8 * unit_roundoff<Real>() * (abs(at[0]) + abs(at[1]) + abs(s.from[0]) + abs(s.from[1]));
+    const Ball<Real, D>& ball = world.balls[i];
+    const Vec<Real, 2> at = ball.position - drift(world, s, ball.time);
+    const Real doubt = position_doubt(at, s, world.details[i].reach);
+    const Real height = s.height(at);
+    if (abs(height) > doubt) return false;  // on its side, or flown across the line, beside the segment
+    const Real before = dot<Real, 2>(s.along, at - s.from), beyond = dot<Real, 2>(s.along, at - s.to);
+    if (before < -doubt || beyond > doubt) return false;
+    const bool at_an_end = before < doubt || beyond > -doubt;
+    if (!at_an_end) return side * height <= 0;
+    // What runs away behind the surface that was hit is out of reach.
+    return dot<Real, 2>(normal, s.from - at) > 0 || dot<Real, 2>(normal, s.to - at) > 0;
+  }
+
+  /// How far rounding can put a stored point off its path, and the height that is computed of it off the truth: at most 8 u
+  /// of the coordinates in play, those that its flight began at among them (two roundings of the advance, three of the
+  /// height).
+  [[nodiscard]] static Real position_doubt(const Vec<Real, 2>& at, const Segment<Real>& s, const Real& reach) {
+    using std::abs;
+    return 8 * unit_roundoff<Real>() *
+           (reach + abs(at[0]) + abs(at[1]) + abs(s.from[0]) + abs(s.from[1]) + abs(s.to[0]) + abs(s.to[1]));
   }
 
   std::vector<std::int8_t> sides_;  // of a point, by segment
