@@ -208,7 +208,7 @@ class Collider {
     bool collapse = false;
     for (const std::uint32_t i : balls) {
       if (e < 1) {
-        collapse = watch.collapses(i, now, balls, impulse) || collapse;
+        collapse = watch.collapses(i, now, balls, impulse, e) || collapse;
       } else {
         watch.end_streak(i);
       }
