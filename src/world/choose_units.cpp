@@ -20,12 +20,16 @@ Wider length_of(const Coordinates& v) {
   return std::sqrt(s);
 }
 
+// How many times faster than the fastest of the start the clock expects a ball to become.
+constexpr Wider most_gain = 0x1p20L;
+
 struct Scales {
   Wider smallest_length = HUGE_VALL;
   Wider largest_length = 0;
   Wider energy = 0;  ///< twice the kinetic energy of the finite masses
   Wider lightest = HUGE_VALL;
   Wider largest_speed = 0;  ///< of infinite masses and walls
+  Wider fastest = 0;        ///< speed of a finite mass at the start
 
   void length(Wider l) {
     if (l > 0) smallest_length = std::min(smallest_length, l);
@@ -62,17 +66,23 @@ void read_balls(const Scene& scene, const Roster& roster, Scales& s) {
       s.largest_speed = std::max(s.largest_speed, v);
     } else {
       s.energy += b.mass.value * v * v;
+      s.fastest = std::max(s.fastest, v);
       s.lightest = std::min(s.lightest, Wider(b.mass.value));
     }
   }
   for (const PlacedGroup& g : roster.groups) {
     s.length(g.balls.radius);
     Wider sum = 0;
-    for (const double v : g.balls.velocity) sum += Wider(v) * v;
+    Wider fastest = 0;
+    for (const double v : g.balls.velocity) {
+      sum += Wider(v) * v;
+      fastest = std::max(fastest, std::fabs(Wider(v)));
+    }
     if (std::isinf(g.mass.value)) {
       s.largest_speed = std::max(s.largest_speed, std::sqrt(sum));
     } else {
       s.energy += g.mass.value * sum;
+      s.fastest = std::max(s.fastest, fastest);
       s.lightest = std::min(s.lightest, Wider(g.mass.value));
     }
   }
@@ -121,7 +131,8 @@ Units choose_units(const Scene& scene, const Roster& roster, std::vector<Problem
   if (s.smallest_length == HUGE_VALL) s.length(1);
   if (s.lightest == HUGE_VALL) s.lightest = 1;
 
-  Wider speed = std::max(s.largest_speed, std::sqrt(s.energy / s.lightest));
+  // A ball gains at most twice the speed of what it meets, so many times the first speed is far away, whatever the masses.
+  Wider speed = std::max(s.largest_speed, std::min(std::sqrt(s.energy / s.lightest), most_gain * s.fastest));
   const Wider g = length_of(scene.motion.acceleration);
   speed = std::max(speed, std::sqrt(g * s.largest_length));
   Units units;

@@ -12,8 +12,8 @@ inline constexpr int exponent_range = 400;
 
 /// Builds the world of a scene in the arithmetic of Real; D must be the scene's dimension.
 /// The epoch length is L = tau 2^-12 rounded to a power of two, with tau = smallest positive length / largest speed that
-/// any ball of finite mass could reach with all the kinetic energy of the start (or that a fall through the largest length
-/// gives). Balls whose gap to each other or to a wall cannot be told from 0, given half an ulp of doubt in each input,
+/// any ball of finite mass could reach with all the kinetic energy of the start, up to 2^20 times the fastest there (or that
+/// a fall through the largest length gives) [papers/clock.md, eq. 4]. Balls whose gap to each other or to a wall cannot be told from 0, given half an ulp of doubt in each input,
 /// start in contact. Throws InputError with every problem found.
 template <class Real, int D>
 [[nodiscard]] World<Real, D> build(const Scene& scene);
