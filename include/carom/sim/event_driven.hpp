@@ -17,6 +17,7 @@
 #include "carom/sim/books.hpp"
 #include "carom/sim/collapse_watch.hpp"
 #include "carom/sim/collision.hpp"
+#include "carom/sim/parted.hpp"
 #include "carom/sim/record.hpp"
 #include "carom/sim/stop.hpp"
 
@@ -53,12 +54,14 @@ class EventDriven {
       if (event.time > until) return Stop::until;
       if (event.kind == EventKind::bookkeeping) {
         cross(event);
+        if (++quiet_ % patience() == 0 && nothing_left(event.time)) return Stop::no_events_left;
       } else if (stale(event)) {
         ++collider_.exactness.repredicted;
         predict(queue_.top_slot());
       } else {
         if (event.time < now_) ++collider_.exactness.clamped;
         now_ = event.time;
+        quiet_ = 0;
         const Verdict verdict = collider_.collide(world_, motion_, event, sink);
         predict_moved();
         if (verdict == Verdict::collapse) return Stop::collapse;
@@ -70,6 +73,7 @@ class EventDriven {
   /// Goes on from a world, books and counts that were put back as they were at `now`, the moment of the last collision.
   void resume(const Time<Real>& now) {
     now_ = crossed_ = now;
+    quiet_ = 0;
     predict_all();
   }
 
@@ -143,6 +147,17 @@ class EventDriven {
     queue_.assign(i, passage.kind != EventKind::none && precedes(passage, next_[i]) ? passage : next_[i]);
   }
 
+  /// In a periodic space balls that never meet cross its cells for ever. After this many passages without a collision it is
+  /// asked whether there is anything to wait for: all pairs are looked at, so that many passages cost more.
+  [[nodiscard]] std::int64_t patience() const { return 1024 + static_cast<std::int64_t>(next_.size() * next_.size()); }
+
+  [[nodiscard]] bool nothing_left(const Time<Real>& t) const {
+    if (!world_.space.periodic() || !world_.walls.empty()) return false;
+    for (const EventType& e : next_)
+      if (e.kind != EventKind::none) return false;
+    return parted(motion_, world_, now_, t);
+  }
+
   /// The motion of a party has changed since the prediction.
   [[nodiscard]] bool stale(const EventType& e) const {
     if (world_.balls[e.ball].stamp != e.stamp) return true;
@@ -153,6 +168,7 @@ class EventDriven {
   M motion_;
   Time<Real> now_;             // of the last collision
   Time<Real> crossed_ = now_;  // of the last bookkeeping
+  std::int64_t quiet_ = 0;     // bookkeeping events since then
   Collider<M> collider_;
   Search search_;
   Queue queue_;

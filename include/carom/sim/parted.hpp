@@ -1,0 +1,43 @@
+#pragma once
+// Whether balls in a periodic space can meet at all: a proof for motions that repeat, so that a run need not wait for ever.
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "carom/motion/motion.hpp"
+#include "carom/world/state.hpp"
+#include "carom/world/world.hpp"
+
+namespace carom {
+
+/// True if it is certain that no two balls will ever meet, given that none did between `since` and `now` and that no wall
+/// stands in the space. A pair at relative rest keeps its distance. A pair whose relative velocity v is along one axis is
+/// where it was, up to whole periods, after every edge / |v|: what did not meet in such a time never will. (Twice that is
+/// asked for, so that rounding cannot matter.) Other pairs are not judged.
+template <Motion M>
+[[nodiscard]] bool parted(const M& motion, const World<typename M::Real, M::dimension>& world,
+                          const Time<typename M::Real>& since, const Time<typename M::Real>& now) {
+  using Real = typename M::Real;
+  using std::abs;
+  const Real waited = elapsed(since, now);
+  const std::uint32_t n = static_cast<std::uint32_t>(world.balls.size());
+  std::vector<Vec<Real, M::dimension>> velocities;
+  for (std::uint32_t i = 0; i < n; ++i) velocities.push_back(velocity_at(motion, world, i, now));
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t j = i + 1; j < n; ++j) {
+      const auto &a = world.balls[i], &b = world.balls[j];
+      if (!a.alive || !b.alive || (a.fixed && b.fixed)) continue;
+      if (M::accelerated && a.fixed != b.fixed) return false;
+      int moving = 0;
+      for (int k = 0; k < M::dimension; ++k) {
+        const Real v = abs(velocities[j][k] - velocities[i][k]);
+        moving += v > 0;
+        if (v > 0 && waited * v < 2 * world.space.edge[k]) return false;
+      }
+      if (moving > 1) return false;
+    }
+  return true;
+}
+
+}  // namespace carom
