@@ -17,6 +17,7 @@
 #include "carom/sim/books.hpp"
 #include "carom/sim/collapse_watch.hpp"
 #include "carom/sim/collision.hpp"
+#include "carom/sim/instant_watch.hpp"
 #include "carom/sim/parted.hpp"
 #include "carom/sim/record.hpp"
 #include "carom/sim/stop.hpp"
@@ -60,10 +61,17 @@ class EventDriven {
         predict(queue_.top_slot());
       } else {
         if (event.time < now_) ++collider_.exactness.clamped;
+        const bool instant = event.time == now_ && world_.law == LawKind::restitution;
         now_ = event.time;
         quiet_ = 0;
-        const Verdict verdict = collider_.collide(world_, motion_, event, sink);
+        if (instant) {
+          instant_.before(world_, event);
+        } else {
+          instant_.begin();
+        }
+        Verdict verdict = collider_.collide(world_, motion_, event, sink);
         predict_moved();
+        if (instant && verdict == Verdict::go_on && instant_.repeats(world_, event)) verdict = no_room();
         if (verdict == Verdict::collapse) return Stop::collapse;
         if (verdict == Verdict::non_finite) return Stop::non_finite;
       }
@@ -74,6 +82,7 @@ class EventDriven {
   void resume(const Time<Real>& now) {
     now_ = crossed_ = now;
     quiet_ = 0;
+    instant_.begin();
     predict_all();
   }
 
@@ -147,6 +156,12 @@ class EventDriven {
     queue_.assign(i, passage.kind != EventKind::none && precedes(passage, next_[i]) ? passage : next_[i]);
   }
 
+  Verdict no_room() {
+    collider_.reason = "balls without room to move hit each other for ever, and time does not go on";
+    collider_.reason_balls = instant_.balls();
+    return Verdict::collapse;
+  }
+
   /// In a periodic space balls that never meet cross its cells for ever. After this many passages without a collision it is
   /// asked whether there is anything to wait for: all pairs are looked at, so that many passages cost more.
   [[nodiscard]] std::int64_t patience() const { return 1024 + static_cast<std::int64_t>(next_.size() * next_.size()); }
@@ -170,6 +185,7 @@ class EventDriven {
   Time<Real> crossed_ = now_;  // of the last bookkeeping
   std::int64_t quiet_ = 0;     // bookkeeping events since then
   Collider<M> collider_;
+  InstantWatch<Real, D> instant_;
   Search search_;
   Queue queue_;
   std::vector<EventType> next_;  // by ball: its first collision, stale or not: never later than the true one
