@@ -10,6 +10,7 @@
 #include <fmt/core.h>
 
 #include "carom/observe/horizon.hpp"
+#include "carom/observe/parting.hpp"
 #include "carom/sim/simulation.hpp"
 #include "carom/write/number_text.hpp"
 #include "carom/write/summary_json.hpp"
@@ -65,6 +66,8 @@ struct Findings {
   std::optional<double> echo;  ///< largest distance from the start [length]; none where time has no mirror
   std::string no_echo;         ///< why none
   std::optional<Horizon> horizon;
+  bool rules_compared = false;
+  std::optional<HorizonMark> rules_differ;  ///< first collision after which the rules for simultaneous contacts differ
   bool interrupted = false;
 };
 
@@ -81,6 +84,7 @@ class Check {
     if (!interrupted()) compare_log(log);
     if (!interrupted()) run_back(simulation, start);
     if (!interrupted() && options_.horizon > 0) look_for_horizon();
+    if (!interrupted()) compare_rules();
     found_.interrupted = interrupted();
     return std::move(found_);
   }
@@ -148,6 +152,16 @@ class Check {
     found_.echo = largest;
   }
 
+  /// Where contacts are simultaneous the laws of impact leave the outcome open: does the rule matter here?
+  void compare_rules() {
+    if (found_.summary.events.ties == 0 || scene_.collision.law != LawKind::restitution) return;
+    Scene other = scene_;
+    other.collision.simultaneous = scene_.collision.simultaneous == Simultaneous::sequential ? Simultaneous::symmetric
+                                                                                             : Simultaneous::sequential;
+    found_.rules_compared = true;
+    found_.rules_differ = first_parting(scene_, other, &interrupt_);
+  }
+
   void look_for_horizon() {
     HorizonOptions options;
     options.collisions = options_.horizon;
@@ -208,6 +222,10 @@ Json as_json(const Findings& f) {
           {"reference", f.reference},
           {"same_log", f.same_log},
           {"echo_error", echo},
+          {"simultaneous",
+           {{"ties", f.summary.events.ties},
+            {"compared", f.rules_compared},
+            {"rules_differ", f.rules_differ ? as_json(f.rules_differ) : Json(nullptr)}}},
           {"horizon", f.horizon ? as_json(*f.horizon) : Json(nullptr)}};
 }
 
@@ -243,6 +261,11 @@ void print(std::ostream& out, const Findings& f) {
   row("same log",
       fmt::format("{}: {} against {}", f.same_log ? "yes, bit for bit" : "NO", f.summary.composition, f.reference));
   if (f.horizon) print(out, *f.horizon, row);
+  if (f.rules_compared)
+    row("simultaneous",
+        f.rules_differ ? fmt::format("{} ties; here physics is not unique: the rules sequential and symmetric part after {}",
+                                     f.summary.events.ties, at(*f.rules_differ))
+                       : fmt::format("{} ties; the rules sequential and symmetric agree", f.summary.events.ties));
   row("echo error", f.echo ? fmt::format("{:.2g} from the start after running back", *f.echo) : "none: " + f.no_echo);
   out << "\n  A large echo error is no error of the run: it is how far chaos has amplified the rounding on the way there "
          "and back.\n";

@@ -52,7 +52,10 @@ std::vector<std::string> collision_rules(const Scene& scene) {
 std::vector<std::string> not_modelled(const Scene& scene) {
   std::vector<std::string> list{
       "rotation: balls have no spin, and impacts are smooth (no friction, no tangential impulse)",
-      "duration and deformation: an impact takes no time, and three bodies that touch at once are resolved pair by pair",
+      scene.collision.simultaneous == Simultaneous::symmetric
+          ? "duration and deformation: an impact takes no time, and all contacts of one instant are resolved together "
+            "[Smith2012]; stiffness, which decides in nature, is not asked for"
+          : "duration and deformation: an impact takes no time, and three bodies that touch at once are resolved pair by pair",
       "air, rolling and sliding resistance, attraction, charge"};
   const auto& g = scene.motion.acceleration;
   const bool free = std::all_of(g.begin(), g.end(), [](const Number& a) { return a == 0.0; });

@@ -21,6 +21,9 @@ inline constexpr std::array space_kinds{Word<SpaceKind>{"open", SpaceKind::open}
 inline constexpr std::array law_kinds{Word<LawKind>{"restitution", LawKind::restitution},
                                       Word<LawKind>{"stick", LawKind::stick}, Word<LawKind>{"merge", LawKind::merge}};
 
+inline constexpr std::array simultaneous_rules{Word<Simultaneous>{"sequential", Simultaneous::sequential},
+                                               Word<Simultaneous>{"symmetric", Simultaneous::symmetric}};
+
 inline constexpr std::array lattice_kinds{Word<LatticeKind>{"chain", LatticeKind::chain},
                                           Word<LatticeKind>{"square", LatticeKind::square},
                                           Word<LatticeKind>{"hexagonal", LatticeKind::hexagonal},

@@ -61,6 +61,10 @@ void judge_collision(Judgement& j) {
   TableRules rules(j, {"collision"}, c.where);
   rules.unbuilt("collision.law", word_for<LawKind>(law_kinds, c.law));
   rules.restitution(c.restitution);
+  if (c.law != LawKind::restitution && c.simultaneous == Simultaneous::symmetric)
+    rules.found("simultaneous", " is \"symmetric\"",
+                "balls that " + std::string(word_for<LawKind>(law_kinds, c.law)) + " do so pair by pair", "",
+                {rules.key("law")});
 }
 
 void judge_materials(Judgement& j) {

@@ -66,9 +66,7 @@ CollisionSpec read_collision(TableReader t) {
   Number contact_time;
   t.number("contact_time", contact_time);
   if (contact_time.value != 0.0 && is_unbuilt("collision.contact_time")) t.unbuilt("contact_time");
-  enum class Simultaneous { sequential } simultaneous{};
-  constexpr std::array words{Word<Simultaneous>{"sequential", Simultaneous::sequential}};
-  t.word<Simultaneous>("simultaneous", words, simultaneous);
+  t.word<Simultaneous>("simultaneous", simultaneous_rules, c.simultaneous);
   t.finish();
   return c;
 }

@@ -21,7 +21,6 @@ constexpr std::array unbuilt{
     Unbuilt{"motion.cloth"},
     Unbuilt{"collision.law", "rough"},
     Unbuilt{"collision.contact_time"},  // except 0, which is off
-    Unbuilt{"collision.simultaneous", "symmetric"},
     Unbuilt{"collision.regularise"},
     Unbuilt{"ball.spin"},
     Unbuilt{"ball.inertia"},

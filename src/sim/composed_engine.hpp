@@ -207,6 +207,7 @@ class ComposedEngine final : public Simulation::Engine {
     archive(world_.start.epoch);
     archive(world_.start.offset);
     archive(world_.law);
+    archive(world_.simultaneous);
     archive(world_.space.kind);
     for (int k = 0; k < D; ++k) {
       archive(world_.space.lower[k]);

@@ -61,6 +61,7 @@ class WorldBuilder {
     world_.start = clock_time<Real>(scene_.run.start, world_.units.time);
     judge_clock();
     world_.law = scene_.collision.law;
+    world_.simultaneous = scene_.collision.simultaneous;
     fill_motion();
     number_materials();
     fill_space();

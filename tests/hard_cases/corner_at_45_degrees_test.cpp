@@ -22,7 +22,7 @@ TEST(CornerAt45Degrees, concave_made_of_anything) {
         scene.walls = corners[k];
         scene.balls = {ball({3.0, 3.0}, {-speed, -speed}, radius)};
         const Result result = watched_run(scene, {.until = 4.0 / speed});
-        EXPECT_EQ(result.balls[0].velocity, (std::vector<double>{speed, speed})) << "corner " << k << " radius " << radius;
+        EXPECT_EQ(result.balls[0].velocity, (std::vector<Number>{speed, speed})) << "corner " << k << " radius " << radius;
         // Two walls; or, for a point, the vertex that they share, which turns it round in one hit.
         EXPECT_LE(result.log.size(), 2u);
         EXPECT_EQ(result.summary.exactness.singular, result.log.size() == 1 ? 1 : 0);
@@ -54,7 +54,7 @@ TEST(CornerAt45Degrees, that_moves) {
     scene.balls = {ball({3.5, 3.5}, {-0.5, -0.5}, radius)};
     const Result result = watched_run(scene, {.until = 10.0});
     EXPECT_EQ(result.log.size(), 2u);
-    EXPECT_EQ(result.balls[0].velocity, (std::vector<double>{1.5, 1.5}));
+    EXPECT_EQ(result.balls[0].velocity, (std::vector<Number>{1.5, 1.5}));
     EXPECT_DOUBLE_EQ(result.summary.energy.injected, 0.5 * (4.5 - 0.5));
   }
 }

@@ -26,7 +26,7 @@ TEST(Frictionless, whatever_the_restitution) {
   scene.balls = {ball({0.0, 3.5}, {1.0 / 3.0, -1.0})};
   const Result result = watched_run(scene, {.until = 10.0});
   ASSERT_EQ(result.log.size(), 1u);
-  EXPECT_EQ(result.balls[0].velocity, (std::vector<double>{1.0 / 3.0, 0.25}));
+  EXPECT_EQ(result.balls[0].velocity, (std::vector<Number>{1.0 / 3.0, 0.25}));
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ TEST(ParallelToWall, meets_the_end_of_a_segment_head_on) {
     ASSERT_EQ(result.log.size(), 1u);
     EXPECT_EQ(result.log[0].feature, 1) << "the end `from`";
     EXPECT_DOUBLE_EQ(result.log[0].time, (10.0 - radius) / 2);
-    EXPECT_EQ(result.balls[0].velocity, (std::vector<double>{-2.0, 0.0}));
+    EXPECT_EQ(result.balls[0].velocity, (std::vector<Number>{-2.0, 0.0}));
   }
 }
 

@@ -66,7 +66,7 @@ TEST(Removal, calls_off_what_was_predicted) {
   const Result result = watched_run(scene, {.until = 100.0});
   ASSERT_EQ(result.log.size(), 1u) << "at (1, 0), at rest: ball 2 is not reached, ball 3 passes beside it";
   EXPECT_EQ(result.balls.size(), 3u);
-  EXPECT_EQ(result.balls[0].position, (std::vector<double>{1.0, 0.0}));
+  EXPECT_EQ(result.balls[0].position, (std::vector<Number>{1.0, 0.0}));
   scene.balls[1].position = {0.5, 0.0};
   EXPECT_EQ(refusals(scene).size(), 1u) << "a start that overlaps is refused, not merged";
 }

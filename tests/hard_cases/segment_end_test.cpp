@@ -21,7 +21,7 @@ TEST(SegmentEnd, hit_by_a_point_reverses_it) {
     EXPECT_EQ(result.log[0].time, 2.0);
     EXPECT_EQ(result.log[0].feature, 1);
     EXPECT_EQ(result.summary.exactness.singular, 1);
-    EXPECT_EQ(result.balls[0].velocity, (std::vector<double>{-d[0], -d[1]}));
+    EXPECT_EQ(result.balls[0].velocity, (std::vector<Number>{-d[0], -d[1]}));
   }
 }
 

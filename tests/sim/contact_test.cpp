@@ -98,8 +98,8 @@ TEST(Plastic, a_wall_takes_the_normal_velocity_and_leaves_the_rest) {
   scene.balls = {ball({5.0, 5.0}, {1.0, 0.25})};
   const Result result = run_until(scene, 1000.0);
   EXPECT_EQ(result.log.size(), 2u) << "the wall, then the corner";
-  EXPECT_EQ(result.balls[0].velocity, (std::vector<double>{0.0, 0.0}));
-  EXPECT_EQ(result.balls[0].position, (std::vector<double>{9.5, 9.5}));
+  EXPECT_EQ(result.balls[0].velocity, (std::vector<Number>{0.0, 0.0}));
+  EXPECT_EQ(result.balls[0].position, (std::vector<Number>{9.5, 9.5}));
   EXPECT_NEAR(result.summary.energy.dissipated, 0.5 * (1 + 0.0625), 1e-15);
 }
 
@@ -199,7 +199,7 @@ TEST(Corner, of_a_cube) {
   scene.balls = {ball({2.0, 2.0, 2.0}, {-1.0, -1.0, -1.0})};
   const Result result = run(scene, 9);
   EXPECT_EQ(result.summary.events.ties, 6);
-  EXPECT_EQ(result.balls[0].velocity, (std::vector<double>{1.0, 1.0, 1.0})) << "turned round three times";
+  EXPECT_EQ(result.balls[0].velocity, (std::vector<Number>{1.0, 1.0, 1.0})) << "turned round three times";
 }
 
 // Many balls in contact.

@@ -210,7 +210,7 @@ TEST(Numbering, balls_then_lattices_and_walls_then_faces) {
   const Simulation simulation(scene);
   EXPECT_EQ(simulation.balls().size(), 4u);
   EXPECT_EQ(simulation.ball(0).radius, 0.25);
-  EXPECT_EQ(simulation.ball(1).position, (std::vector<double>{0.0, 0.0}));
+  EXPECT_EQ(simulation.ball(1).position, (std::vector<Number>{0.0, 0.0}));
   EXPECT_EQ(simulation.wall_label(0), "0");
   EXPECT_EQ(simulation.wall_label(1), "x-");
   EXPECT_EQ(simulation.wall_label(4), "y+");

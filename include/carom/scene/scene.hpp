@@ -37,9 +37,13 @@ struct MotionSpec {
 
 enum class LawKind : std::uint8_t { restitution, stick, merge };
 
+/// What becomes of contacts at one instant: pair by pair in the order of events until all part, or all at once.
+enum class Simultaneous : std::uint8_t { sequential, symmetric };
+
 struct CollisionSpec {
   LawKind law = LawKind::restitution;  ///< DEFAULT: restitution
   Number restitution = 1.0;            ///< e [-], 0..1. DEFAULT: 1 (elastic)
+  Simultaneous simultaneous = Simultaneous::sequential;  ///< DEFAULT: sequential
   Where where{};
 };
 

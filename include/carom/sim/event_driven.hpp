@@ -21,6 +21,7 @@
 #include "carom/sim/parted.hpp"
 #include "carom/sim/record.hpp"
 #include "carom/sim/stop.hpp"
+#include "carom/sim/touching.hpp"
 
 namespace carom {
 
@@ -69,7 +70,7 @@ class EventDriven {
         } else {
           instant_.begin();
         }
-        Verdict verdict = collider_.collide(world_, motion_, event, sink);
+        Verdict verdict = collide(event, sink);
         predict_moved();
         if (instant && verdict == Verdict::go_on && instant_.repeats(world_, event)) verdict = no_room();
         if (verdict == Verdict::collapse) return Stop::collapse;
@@ -116,6 +117,16 @@ class EventDriven {
     next_.assign(n, EventType{});
     search_.reset(world_, motion_, now_);
     for (std::uint32_t i = 0; i < n; ++i) predict(i);
+  }
+
+  /// Law "symmetric": together with all contacts that act at the same moment, if there are any.
+  template <class Sink>
+  Verdict collide(const EventType& event, Sink&& sink) {
+    if (world_.simultaneous == Simultaneous::symmetric) {
+      const auto& found = touching_.around(world_, motion_, search_, event);
+      if (found.size() > 1) return collider_.collide_together(world_, motion_, found, sink);
+    }
+    return collider_.collide(world_, motion_, event, sink);
   }
 
   void predict_moved() {
@@ -186,6 +197,7 @@ class EventDriven {
   std::int64_t quiet_ = 0;     // bookkeeping events since then
   Collider<M> collider_;
   InstantWatch<Real, D> instant_;
+  Touching<M> touching_;
   Search search_;
   Queue queue_;
   std::vector<EventType> next_;  // by ball: its first collision, stale or not: never later than the true one

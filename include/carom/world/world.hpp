@@ -55,6 +55,7 @@ struct World {
   Vector acceleration = Vector::Zero();  ///< [length unit / L^2] of every ball that is not fixed
   RestitutionTable<Real> restitution;
   LawKind law = LawKind::restitution;
+  Simultaneous simultaneous = Simultaneous::sequential;
 
   /// Mass of the body that ball i belongs to.
   [[nodiscard]] const Real& body_mass(std::uint32_t i) const {
