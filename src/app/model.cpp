@@ -36,6 +36,28 @@ bool dissipates(const Scene& scene) {
          std::any_of(scene.walls.begin(), scene.walls.end(), [&](const WallSpec& w) { return at(w.restitution); });
 }
 
+bool accelerated(const Scene& scene) {
+  const auto& g = scene.motion.acceleration;
+  return std::any_of(g.begin(), g.end(), [](const Number& a) { return a != 0.0; });
+}
+
+std::vector<std::string> regularisation(const Scene& scene) {
+  const CollisionSpec& c = scene.collision;
+  std::vector<std::string> rules;
+  if (c.regularise == Regularise::viscoelastic)
+    rules.push_back(fmt::format("viscoelastic: each e holds at a speed of approach of {}; slower impacts are more elastic, "
+                                "1 - e as v^(1/5), faster ones less",
+                                shown(*c.reference_speed)));
+  if (c.regularise == Regularise::rest && accelerated(scene))
+    rules.push_back("a ball whose bounces on a flat wall end rests on it, and slides along it without friction, until it is "
+                    "hit or the wall ends");
+  if (c.contact_time.value > 0)
+    rules.push_back(fmt::format("TC model: an impact is elastic if either ball's last contact is at most {} ago{}",
+                                shown(c.contact_time),
+                                c.regularise == Regularise::rest ? "; flat walls dissipate always" : ""));
+  return rules;
+}
+
 }  // namespace
 
 std::vector<std::string> collision_rules(const Scene& scene) {
@@ -46,6 +68,7 @@ std::vector<std::string> collision_rules(const Scene& scene) {
   if (scene.space.restitution) rules.push_back("faces of the box: e = " + shown(*scene.space.restitution));
   for (std::size_t i = 0; i < scene.walls.size(); ++i)
     if (scene.walls[i].restitution) rules.push_back(fmt::format("wall {}: e = {}", i, shown(*scene.walls[i].restitution)));
+  for (std::string& rule : regularisation(scene)) rules.push_back(std::move(rule));
   return rules;
 }
 
@@ -57,9 +80,7 @@ std::vector<std::string> not_modelled(const Scene& scene) {
             "[Smith2012]; stiffness, which decides in nature, is not asked for"
           : "duration and deformation: an impact takes no time, and three bodies that touch at once are resolved pair by pair",
       "air, rolling and sliding resistance, attraction, charge"};
-  const auto& g = scene.motion.acceleration;
-  const bool free = std::all_of(g.begin(), g.end(), [](const Number& a) { return a == 0.0; });
-  if (free) {
+  if (!accelerated(scene)) {
     list.push_back("gravity: no force acts between impacts (give motion.acceleration for one)");
   } else {
     list.push_back("forces other than the uniform acceleration");
@@ -76,10 +97,16 @@ std::vector<std::string> limits(const Scene& scene) {
       "error",
       "chaos multiplies rounding errors at every impact: single trajectories part from the true ones after some tens of "
       "impacts of a ball, while conserved quantities and averages stay right"};
-  if (dissipates(scene) && scene.collision.law == LawKind::restitution)
+  if (!dissipates(scene) || scene.collision.law != LawKind::restitution) return list;
+  if (scene.collision.regularise == Regularise::rest && accelerated(scene)) {
+    list.push_back(
+        "a ball that comes to rest on another one, on a curved wall or in a corner is not held: such an inelastic collapse "
+        "ends the run with status 3");
+  } else if (scene.collision.contact_time.value == 0) {
     list.push_back(
         "restitution below 1: infinitely many impacts in finite time (inelastic collapse, a ball that comes to rest) "
         "end the run with status 3");
+  }
   return list;
 }
 

@@ -78,7 +78,7 @@ std::string remedy(const Summary& summary, const Simulation& simulation) {
   if (summary.stopped_by == Stop::non_finite) return "Are sizes, masses or speeds too far apart?";
   for (const std::uint32_t ball : summary.stopped->balls)
     if (std::isinf(simulation.ball(ball).mass)) return "Give it a finite mass, or end the run before with --until.";
-  return "Raise the restitution, or end the run before with --until.";
+  return "Or end the run before with --until.";
 }
 
 void explain_stop(const Summary& summary, const Simulation& simulation, const Console& console) {

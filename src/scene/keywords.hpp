@@ -24,6 +24,9 @@ inline constexpr std::array law_kinds{Word<LawKind>{"restitution", LawKind::rest
 inline constexpr std::array simultaneous_rules{Word<Simultaneous>{"sequential", Simultaneous::sequential},
                                                Word<Simultaneous>{"symmetric", Simultaneous::symmetric}};
 
+inline constexpr std::array regularise_kinds{Word<Regularise>{"rest", Regularise::rest},
+                                             Word<Regularise>{"viscoelastic", Regularise::viscoelastic}};
+
 inline constexpr std::array lattice_kinds{Word<LatticeKind>{"chain", LatticeKind::chain},
                                           Word<LatticeKind>{"square", LatticeKind::square},
                                           Word<LatticeKind>{"hexagonal", LatticeKind::hexagonal},

@@ -21,7 +21,7 @@ void round_all(Fields&... fields) {
 Scene rounded_to_double(Scene scene) {
   scene.rounded = true;
   round_all(scene.space.lower, scene.space.upper, scene.space.restitution, scene.motion.acceleration,
-            scene.collision.restitution);
+            scene.collision.restitution, scene.collision.contact_time, scene.collision.reference_speed);
   for (MaterialSpec& m : scene.materials) round(m.restitution);
   for (MaterialPairSpec& m : scene.material_pairs) round(m.restitution);
   for (BallSpec& b : scene.balls) round_all(b.position, b.velocity, b.radius, b.mass);

@@ -61,10 +61,49 @@ void judge_collision(Judgement& j) {
   TableRules rules(j, {"collision"}, c.where);
   rules.unbuilt("collision.law", word_for<LawKind>(law_kinds, c.law));
   rules.restitution(c.restitution);
+  if (c.regularise == Regularise::rest && c.simultaneous == Simultaneous::symmetric)
+    rules.found("regularise", " is \"rest\"", "rest with simultaneous = \"symmetric\" is not built yet", "",
+                {rules.key("simultaneous")});
   if (c.law != LawKind::restitution && c.simultaneous == Simultaneous::symmetric)
     rules.found("simultaneous", " is \"symmetric\"",
                 "balls that " + std::string(word_for<LawKind>(law_kinds, c.law)) + " do so pair by pair", "",
                 {rules.key("law")});
+  rules.not_negative("contact_time", c.contact_time, "a contact lasts some time, or 0 (off)");
+  if (c.reference_speed)
+    rules.positive("reference_speed", *c.reference_speed, "it is the speed of approach at which restitution holds as given");
+  const bool viscoelastic = c.regularise == Regularise::viscoelastic;
+  if (viscoelastic && !c.reference_speed)
+    rules.missing("reference_speed", "viscoelastic restitution depends on the speed, and is given at one",
+                  "Add reference_speed = 1.0");
+  if (!viscoelastic && c.reference_speed)
+    rules.found("reference_speed", " has no meaning here", "restitution depends on the speed only if viscoelastic",
+                "Add regularise = \"viscoelastic\"?", {rules.key("regularise")});
+  if (c.law == LawKind::restitution) return;
+  const std::string why =
+      "balls that " + std::string(word_for<LawKind>(law_kinds, c.law)) + " do not bounce: it belongs to law = \"restitution\"";
+  if (c.contact_time.value > 0) rules.found("contact_time", " is " + shown(c.contact_time), why, "", {rules.key("law")});
+  if (c.regularise != Regularise::stop)
+    rules.found("regularise", " is " + in_quotes(word_for<Regularise>(regularise_kinds, c.regularise)), why, "",
+                {rules.key("law")});
+}
+
+/// A viscoelastic impact always returns something.
+void judge_viscoelastic(Judgement& j) {
+  const Scene& s = j.scene;
+  if (s.collision.regularise != Regularise::viscoelastic) return;
+  const auto judge = [&](const Path& table, Where where, const Number& e) {
+    if (e.value == 0.0)
+      TableRules(j, table, where)
+          .found("restitution", " is 0", "a viscoelastic impact returns something", "Give a value above 0",
+                 {{"collision", "regularise"}});
+  };
+  judge({"collision"}, s.collision.where, s.collision.restitution);
+  if (s.space.restitution) judge({"space"}, s.space.where, *s.space.restitution);
+  for (const MaterialSpec& m : s.materials) judge({"material", m.name}, m.where, m.restitution);
+  for (std::size_t i = 0; i < s.material_pairs.size(); ++i)
+    judge({"material_pair", std::to_string(i)}, s.material_pairs[i].where, s.material_pairs[i].restitution);
+  for (std::size_t i = 0; i < s.walls.size(); ++i)
+    if (s.walls[i].restitution) judge({"wall", std::to_string(i)}, s.walls[i].where, *s.walls[i].restitution);
 }
 
 void judge_materials(Judgement& j) {
@@ -181,6 +220,7 @@ std::vector<Finding> findings(const Scene& scene) {
   judge_space(j);
   judge_motion(j);
   judge_collision(j);
+  judge_viscoelastic(j);
   judge_materials(j);
   judge_material_pairs(j);
   judge_balls(j);

@@ -63,10 +63,10 @@ CollisionSpec read_collision(TableReader t) {
   c.where = t.where();
   t.word<LawKind>("law", law_kinds, c.law);
   t.number("restitution", c.restitution);
-  Number contact_time;
-  t.number("contact_time", contact_time);
-  if (contact_time.value != 0.0 && is_unbuilt("collision.contact_time")) t.unbuilt("contact_time");
   t.word<Simultaneous>("simultaneous", simultaneous_rules, c.simultaneous);
+  t.number("contact_time", c.contact_time);
+  t.word<Regularise>("regularise", regularise_kinds, c.regularise);
+  t.number("reference_speed", c.reference_speed);
   t.finish();
   return c;
 }

@@ -20,8 +20,6 @@ constexpr std::array unbuilt{
     Unbuilt{"motion.magnetic"},
     Unbuilt{"motion.cloth"},
     Unbuilt{"collision.law", "rough"},
-    Unbuilt{"collision.contact_time"},  // except 0, which is off
-    Unbuilt{"collision.regularise"},
     Unbuilt{"ball.spin"},
     Unbuilt{"ball.inertia"},
     Unbuilt{"gas.radius_growth"},

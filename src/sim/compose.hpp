@@ -77,6 +77,8 @@ std::unique_ptr<Simulation::Engine> make_reference(const Scene& scene, World<typ
 template <int D>
 std::unique_ptr<Simulation::Engine> make_reference_engine(const Scene& scene) {
   World<double, D> world = build<double, D>(scene);
+  if (world.accelerated() && world.regularise == Regularise::rest)
+    return make_resting_reference<D>(scene, std::move(world));
   if (world.accelerated()) {
     const UniformAcceleration<double, D> motion{world.acceleration};
     return detail::make_reference(scene, std::move(world), motion);
@@ -90,10 +92,16 @@ std::unique_ptr<Simulation::Engine> make_engine(const Scene& scene) {
   World<double, D> world = build<double, D>(scene);
   if (world.accelerated()) {
     composition.reasons.push_back("uniform acceleration: every ball that is not fixed flies a parabola");
+    if (world.regularise == Regularise::rest) {
+      composition.reasons.push_back("rest: a ball that comes to rest on a flat wall keeps only the acceleration along it");
+      return make_resting_engine<D>(scene, std::move(world), std::move(composition));
+    }
     const UniformAcceleration<double, D> motion{world.acceleration};
     return detail::choose_search(scene, std::move(world), motion, std::move(composition));
   }
   composition.reasons.push_back("free flight: no acceleration, so paths are straight lines");
+  if (world.regularise == Regularise::rest)
+    composition.reasons.push_back("nothing comes to rest: no acceleration presses balls on a wall");
   return detail::choose_search(scene, std::move(world), FreeFlight<double, D>{}, std::move(composition));
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "carom/core/error.hpp"
 #include "carom/core/multi.hpp"
 #include "carom/motion/free_flight.hpp"
 #include "carom/motion/uniform_acceleration.hpp"
@@ -37,6 +38,10 @@ template <class Real, int D>
 std::unique_ptr<Simulation::Engine> make_in(const Scene& scene, const Precision& precision) {
   const PrecisionScope<Real> scope(precision.digits);
   World<Real, D> world = build<Real, D>(scene);
+  if (world.accelerated() && world.regularise == Regularise::rest)
+    throw InputError(Problem{scene.file, scene.collision.where.line,
+                             "collision.regularise = \"rest\" in a precision other than double: not built yet",
+                             "balls come to rest in double only", "Leave out --precision, or regularise"});
   if (world.accelerated()) {
     const UniformAcceleration<Real, D> motion{world.acceleration};
     return make_precise(scene, std::move(world), motion, precision);

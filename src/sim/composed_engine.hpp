@@ -173,6 +173,7 @@ class ComposedEngine final : public Simulation::Engine {
                    e.clamped,
                    e.unresolved,
                    e.singular,
+                   e.summed_bounces,
                    e.repredicted};
     return s;
   }
@@ -181,7 +182,7 @@ class ComposedEngine final : public Simulation::Engine {
   using W = Wide<Real>;
   using Scope = PrecisionScope<Real>;
   static constexpr std::uint64_t checkpoint_magic = 0x6d6f726163636863;  // "chccarom"
-  static constexpr std::uint64_t checkpoint_version = 1;
+  static constexpr std::uint64_t checkpoint_version = 2;
 
   /// Writes what is constant, reads into what is not.
   template <class Archive>
@@ -208,6 +209,9 @@ class ComposedEngine final : public Simulation::Engine {
     archive(world_.start.offset);
     archive(world_.law);
     archive(world_.simultaneous);
+    archive(world_.regularise);
+    archive(world_.contact_time);
+    archive(world_.reference_speed);
     archive(world_.space.kind);
     for (int k = 0; k < D; ++k) {
       archive(world_.space.lower[k]);
@@ -250,16 +254,19 @@ class ComposedEngine final : public Simulation::Engine {
   [[nodiscard]] EnergyBalance energy(const Totals<Real, D>& now) const {
     const EnergyBooks<Real>& books = engine_.books();
     const W initial = start_.kinetic + start_.potential, final = now.kinetic + now.potential;
-    const Real error = narrow(W((final - initial) + (books.dissipated - books.injected)));
+    W injected = books.injected;
+    if constexpr (M::can_rest)
+      for (std::uint32_t i = 0; i < world_.balls.size(); ++i) injected = injected + work_at_rest(world_, i, reached_);
+    const Real error = narrow(W((final - initial) + (books.dissipated - injected)));
     // kinetic + potential + dissipated = initial + injected at every moment, so it is largest where injected is. Potential
     // counts from the lowest place that a ball was seen at.
     W lowest(Real(0));
     if (world_.accelerated() && start_.mass > W(Real(0)))
       lowest = start_.mass * W(std::min(books.lowest_potential, now.lowest_potential));
-    const Real largest = narrow(W(initial - lowest)) + 2 * books.largest_injected;
+    const Real largest = narrow(W(initial - lowest)) + 2 * std::max<Real>(books.largest_injected, narrow(injected));
     const int unit = world_.units.energy();
     return {user(narrow(initial), unit), user(narrow(final), unit), user(narrow(books.dissipated), unit),
-            user(narrow(books.injected), unit), ratio(error, largest)};
+            user(narrow(injected), unit), ratio(error, largest)};
   }
 
   template <std::size_t N>

@@ -6,6 +6,7 @@
 
 #include "carom/sim/simulation.hpp"
 #include "carom/world/units.hpp"
+#include "carom/world/world.hpp"
 
 namespace carom {
 
@@ -62,6 +63,13 @@ template <int D>
 /// One composition of a dimension and motion, with another queue than make_engine takes.
 template <int D>
 [[nodiscard]] std::unique_ptr<Simulation::Engine> make_reference_engine(const Scene& scene);
+
+/// The same two for scenes in which balls come to rest on flat walls.
+template <int D>
+[[nodiscard]] std::unique_ptr<Simulation::Engine> make_resting_engine(const Scene& scene, World<double, D> world,
+                                                                      Composition composition);
+template <int D>
+[[nodiscard]] std::unique_ptr<Simulation::Engine> make_resting_reference(const Scene& scene, World<double, D> world);
 
 extern template std::unique_ptr<Simulation::Engine> make_reference_engine<1>(const Scene&);
 extern template std::unique_ptr<Simulation::Engine> make_reference_engine<2>(const Scene&);

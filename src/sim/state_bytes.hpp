@@ -29,7 +29,7 @@ class StateVisitor {
   }
   void counts(auto& c) { each(c.ball_ball, c.ball_wall, c.other, c.ties); }
   void exactness(auto& e) {
-    each(e.max_gap_error, e.max_gap_error_relative, e.clamped, e.unresolved, e.singular, e.repredicted);
+    each(e.max_gap_error, e.max_gap_error_relative, e.clamped, e.unresolved, e.singular, e.summed_bounces, e.repredicted);
   }
   void books(auto& b) {
     wide(b.dissipated);
@@ -39,11 +39,13 @@ class StateVisitor {
   void watch(auto& w) {
     sized(w.streaks(), [this](auto& s) {
       for (auto& r : s.recent) each(r);
-      each(s.count, s.instant, s.weak, s.strongest);
-      time(s.last);
+      each(s.count, s.falls, s.dissipates, s.driven, s.steady, s.factor, s.impulse, s.largest, s.before, s.strongest,
+           s.peak);
       time(s.block_start);
       each(s.duration);
     });
+    each(w.idle());
+    time(w.idle_since());
   }
   void time(auto& t) { each(t.epoch, t.offset); }
 
@@ -73,7 +75,7 @@ class StateVisitor {
     vector(b.position);
     vector(b.velocity);
     time(b.time);
-    each(b.radius, b.stamp, b.fixed, b.in_contact, b.alive);
+    each(b.radius, b.stamp, b.fixed, b.in_contact, b.alive, b.held);
   }
   void detail(auto& d) {
     each(d.mass, d.material, d.rank, d.reach);
@@ -81,7 +83,7 @@ class StateVisitor {
     sized(d.contacts, [this](auto& c) {
       each(c.party, c.partner, c.feature);
       for (auto& n : c.image.turns) each(n);
-      each(c.side, c.acted, c.own_stamp, c.partner_stamp);
+      each(c.side, c.acted, c.own_stamp, c.partner_stamp, c.left);
     });
     time(d.last_hit);
     each(d.last_party, d.last_partner, d.last_feature, d.body);

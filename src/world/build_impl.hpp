@@ -10,8 +10,10 @@
 
 #include "carom/core/check.hpp"
 #include "carom/core/error.hpp"
+#include "carom/law/viscoelastic.hpp"
 #include "carom/scene/validate.hpp"
 #include "carom/world/build.hpp"
+#include "carom/world/flat_walls.hpp"
 #include "choose_units.hpp"
 #include "real_number.hpp"
 #include "roster.hpp"
@@ -62,12 +64,15 @@ class WorldBuilder {
     judge_clock();
     world_.law = scene_.collision.law;
     world_.simultaneous = scene_.collision.simultaneous;
+    world_.regularise = scene_.collision.regularise;
+    world_.contact_time = real_number<Real>(scene_.collision.contact_time, -world_.units.time);
     fill_motion();
     number_materials();
     fill_space();
     fill_walls();
     fill_balls();
     fill_restitution();
+    judge_rest();
     order_on_line();
     find_start_contacts(scene_, world_, bits_, lines_, problems_);
     throw_problems();
@@ -107,6 +112,15 @@ class WorldBuilder {
   void fill_motion() {
     for (int k = 0; k < D && !scene_.motion.acceleration.empty(); ++k)
       world_.acceleration[k] = real_number<Real>(scene_.motion.acceleration[k], -world_.units.acceleration());
+  }
+
+  void judge_rest() {
+    const std::size_t count = flat_count(world_.walls);
+    if (world_.regularise == Regularise::rest && count > most_flat_walls)
+      problems_.push_back({scene_.file, scene_.collision.where.line,
+                           fmt::format("regularise = \"rest\" with {} flat walls", count),
+                           fmt::format("faces, planes, segments and edges of polygons may be {} in all", most_flat_walls),
+                           "Use fewer, or collision.contact_time"});
   }
 
   void number_materials() {
@@ -282,6 +296,9 @@ class WorldBuilder {
         world_.restitution.set_at_wall(row, static_cast<std::uint32_t>(w),
                                        restitution_of(a, surfaces_[w].material, surfaces_[w].restitution));
     }
+    if (world_.regularise != Regularise::viscoelastic) return;
+    world_.viscoelastic = world_.restitution.mapped([](const Real& e) { return viscoelastic_argument(e); });
+    world_.reference_speed = real_number<Real>(*scene_.collision.reference_speed, -world_.units.velocity());
   }
 
   void order_on_line() {

@@ -43,6 +43,7 @@ Json exactness(const ExactnessSummary& e) {
           {"clamped", e.clamped},
           {"unresolved", e.unresolved},
           {"singular", e.singular},
+          {"summed_bounces", e.summed_bounces},
           {"repredicted", e.repredicted}};
 }
 

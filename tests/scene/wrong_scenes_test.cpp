@@ -50,6 +50,26 @@ const std::vector<WrongScene> wrong_scenes = {
      12,
      {"lattice.0.rows", "\"rack\""}},
 
+    // Regularisation
+    {"viscoelastic_without_speed",
+     ok + "[collision]\nregularise = \"viscoelastic\"\n",
+     4,
+     {"collision.reference_speed is missing", "reference_speed = 1.0"}},
+    {"reference_speed_without_viscoelastic",
+     ok + "[collision]\nreference_speed = 2\n",
+     5,
+     {"collision.reference_speed has no meaning here", "viscoelastic"}},
+    {"viscoelastic_and_plastic",
+     ok + "[collision]\nregularise = \"viscoelastic\"\nreference_speed = 2\nrestitution = 0\n",
+     7,
+     {"collision.restitution is 0", "returns something"}},
+    {"negative_contact_time", ok + "[collision]\ncontact_time = -1\n", 5, {"collision.contact_time is -1"}},
+    {"rest_of_what_sticks",
+     ok + "[collision]\nlaw = \"stick\"\nregularise = \"rest\"\n",
+     6,
+     {"collision.regularise", "balls that stick do not bounce"}},
+    {"unknown_remedy", ok + "[collision]\nregularise = \"hope\"\n", 5, {"\"hope\"", "\"rest\""}},
+
     // Types
     {"table_as_number", "space = 3\n" + ok, 1, {"space is an integer", "a table is needed"}},
     {"array_as_table", run + "[ball]\nposition = [1, 1]\n", 2, {"ball is a table", "Write [[ball]]"}},

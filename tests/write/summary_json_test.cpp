@@ -43,7 +43,7 @@ TEST(SummaryJson, has_the_keys_of_the_interface_in_order) {
   EXPECT_THAT(keys(j["momentum"]), ElementsAre("initial", "final", "relative_error"));
   EXPECT_THAT(keys(j["angular_momentum"]), ElementsAre("initial", "final", "relative_error"));
   EXPECT_THAT(keys(j["exactness"]),
-              ElementsAre("max_gap_error", "max_gap_error_relative", "clamped", "unresolved", "singular", "repredicted"));
+              ElementsAre("max_gap_error", "max_gap_error_relative", "clamped", "unresolved", "singular", "summed_bounces", "repredicted"));
   EXPECT_THAT(keys(j["final"][0]), ElementsAre("index", "name", "position", "image", "unwrapped_position", "velocity"));
 }
 

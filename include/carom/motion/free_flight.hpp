@@ -11,8 +11,15 @@ struct FreeFlight {
   using Real = RealType;
   static constexpr int dimension = Dimension;
   static constexpr bool accelerated = false;
+  static constexpr bool can_rest = false;
   static constexpr const char* name = "free flight";
   using Vector = Vec<Real, Dimension>;
+  using Phase = bool;  ///< fixed: never moves
+
+  template <class Ball>
+  [[nodiscard]] static Phase phase(const Ball& ball) {
+    return ball.fixed;
+  }
 
   [[nodiscard]] Vector position(const Vector& x, const Vector& v, bool, const Real& s) const { return x + v * s; }
   [[nodiscard]] Vector velocity(const Vector& v, bool, const Real&) const { return v; }

@@ -5,16 +5,19 @@
 
 namespace carom {
 
-/// Position, velocity and acceleration a time s >= 0 after the stored state (x, v); `fixed` balls stay where they are. The stored_
-/// ones are what is written, and shown, at a change of motion: the same functions, rounded less often.
+/// Position, velocity and acceleration a time s >= 0 after the stored state (x, v), in the phase that the ball is in: the
+/// simplest motions know only `fixed`, a ball that stays where it is. The stored_ ones are what is written, and shown, at a
+/// change of motion: the same functions, rounded less often. Balls in equal phases have the same acceleration.
 template <class M>
-concept Motion = requires(const M& m, const typename M::Vector& x, const typename M::Real& s) {
-  { m.position(x, x, false, s) } -> std::convertible_to<typename M::Vector>;
-  { m.velocity(x, false, s) } -> std::convertible_to<typename M::Vector>;
-  { m.stored_position(x, x, false, s) } -> std::convertible_to<typename M::Vector>;
-  { m.stored_velocity(x, false, s) } -> std::convertible_to<typename M::Vector>;
-  { m.acceleration(false) } -> std::convertible_to<typename M::Vector>;
+concept Motion = requires(const M& m, const typename M::Vector& x, const typename M::Real& s,
+                          const typename M::Phase& phase) {
+  { m.position(x, x, phase, s) } -> std::convertible_to<typename M::Vector>;
+  { m.velocity(x, phase, s) } -> std::convertible_to<typename M::Vector>;
+  { m.stored_position(x, x, phase, s) } -> std::convertible_to<typename M::Vector>;
+  { m.stored_velocity(x, phase, s) } -> std::convertible_to<typename M::Vector>;
+  { m.acceleration(phase) } -> std::convertible_to<typename M::Vector>;
   { M::accelerated } -> std::convertible_to<bool>;
+  { M::can_rest } -> std::convertible_to<bool>;
 };
 
 }  // namespace carom

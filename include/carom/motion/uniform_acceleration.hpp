@@ -11,8 +11,15 @@ struct UniformAcceleration {
   using Real = RealType;
   static constexpr int dimension = Dimension;
   static constexpr bool accelerated = true;
+  static constexpr bool can_rest = false;
   static constexpr const char* name = "uniform acceleration";
   using Vector = Vec<Real, Dimension>;
+  using Phase = bool;  ///< fixed: never moves
+
+  template <class Ball>
+  [[nodiscard]] static Phase phase(const Ball& ball) {
+    return ball.fixed;
+  }
 
   Vector a = Vector::Zero();  ///< [length unit / L^2]
 

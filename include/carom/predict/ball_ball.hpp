@@ -29,12 +29,12 @@ template <Motion M>
   if (lag == 0) {
     relative = {b.position - a.position, b.velocity - a.velocity, &b.time};
   } else if (lag > 0) {
-    relative = {b.position - motion.position(a.position, a.velocity, a.fixed, lag),
-                b.velocity - motion.velocity(a.velocity, a.fixed, lag), &b.time};
+    relative = {b.position - motion.position(a.position, a.velocity, motion.phase(a), lag),
+                b.velocity - motion.velocity(a.velocity, motion.phase(a), lag), &b.time};
   } else {
     const Real back = -lag;
-    relative = {motion.position(b.position, b.velocity, b.fixed, back) - a.position,
-                motion.velocity(b.velocity, b.fixed, back) - a.velocity, &a.time};
+    relative = {motion.position(b.position, b.velocity, motion.phase(b), back) - a.position,
+                motion.velocity(b.velocity, motion.phase(b), back) - a.velocity, &a.time};
   }
   if (world.space.periodic())
     for (int k = 0; k < M::dimension; ++k) relative.r[k] += Real(image[k]) * world.space.edge[k];
@@ -94,8 +94,8 @@ template <Motion M>
     const Real s = Real(places > 0 ? 1 : -1);
     const Real gap = s * r[0] - sigma, rate = s * v[0];
     const Touch touch = may_touch ? touch_of_pair(world, i, j, image) : Touch::none;
-    if (M::accelerated && a.fixed != b.fixed) {
-      const Real half = s * (motion.acceleration(b.fixed)[0] - motion.acceleration(a.fixed)[0]) / 2;
+    if (M::accelerated && motion.phase(a) != motion.phase(b)) {
+      const Real half = s * (motion.acceleration(motion.phase(b))[0] - motion.acceleration(motion.phase(a))[0]) / 2;
       if (touch == Touch::none && world.law == LawKind::merge && gap < 0) return {Real(0), since};
       if (touch == Touch::none) return {first_fall(gap, rate, half), since};
       return {touch == Touch::live && rate < 0 ? Real(0) : next_fall(rate, half), since};
@@ -104,9 +104,9 @@ template <Motion M>
     if (world.law == LawKind::merge && gap < 0) return {Real(0), since};
     return {gap_time<Real>(gap, rate), since};
   } else {
-    if (M::accelerated && a.fixed != b.fixed) {
+    if (M::accelerated && motion.phase(a) != motion.phase(b)) {
       if (sigma == 0) return {never<Real>(), since};
-      const Vec<Real, D> acceleration = motion.acceleration(b.fixed) - motion.acceleration(a.fixed);
+      const Vec<Real, D> acceleration = motion.acceleration(motion.phase(b)) - motion.acceleration(motion.phase(a));
       const Touch touch = may_touch ? touch_of_pair(world, i, j, image) : Touch::none;
       if (touch == Touch::none && overlap_merges<Real, D>(world, r, sigma)) return {Real(0), since};
       if (touch == Touch::none) return {meet_time<Real, D>(r, v, acceleration, sigma), since};

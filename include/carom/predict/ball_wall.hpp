@@ -4,6 +4,7 @@
 #include "carom/motion/motion.hpp"
 #include "carom/predict/contact.hpp"
 #include "carom/predict/event.hpp"
+#include "carom/predict/leaving.hpp"
 #include "carom/solve/accelerated.hpp"
 #include "carom/solve/quadratic.hpp"
 #include "carom/world/world.hpp"
@@ -63,7 +64,7 @@ template <Motion M>
   using Real = typename M::Real;
   const Real rate = face.sign > 0 ? ball.velocity[face.axis] : -ball.velocity[face.axis];
   Real half(0);
-  if constexpr (M::accelerated) half = Real(face.sign) * motion.acceleration(ball.fixed)[face.axis] / 2;
+  if constexpr (M::accelerated) half = Real(face.sign) * motion.acceleration(motion.phase(ball))[face.axis] / 2;
   return flight_to_plane<M>(touch, Real(face.gap(ball.position) - ball.radius), rate, half);
 }
 
@@ -76,7 +77,7 @@ template <Motion M>
   const Vec<Real, D> x = ball.position - drift(world, plane, ball.time);
   const Real rate = dot<Real, D>(plane.direction, ball.velocity - plane.velocity);
   Real half(0);
-  if constexpr (M::accelerated) half = dot<Real, D>(plane.direction, motion.acceleration(ball.fixed)) / 2;
+  if constexpr (M::accelerated) half = dot<Real, D>(plane.direction, motion.acceleration(motion.phase(ball))) / 2;
   return flight_to_plane<M>(touch, Real(plane.gap(x) - ball.radius), rate, half);
 }
 
@@ -91,7 +92,7 @@ template <Motion M>
   const Vec<Real, D> v = ball.velocity - sphere.velocity;
   const Real outward = dot<Real, D>(r, v);
   if (touch == Touch::live && (sphere.inside ? outward > 0 : outward < 0)) return Real(0);
-  const Vec<Real, D> a = motion.acceleration(ball.fixed);
+  const Vec<Real, D> a = motion.acceleration(motion.phase(ball));
   if (sphere.inside) {
     const Real rho = sphere.radius - ball.radius;
     if constexpr (M::accelerated)
@@ -145,7 +146,7 @@ template <Motion M>
   const Touch touch = touch_of_wall(contact, ball);
   const Vec<Real, 2> x = ball.position - drift(world, segment, ball.time);
   const Vec<Real, 2> v = ball.velocity - segment.velocity;
-  const Vec<Real, 2> a = motion.acceleration(ball.fixed);
+  const Vec<Real, 2> a = motion.acceleration(motion.phase(ball));
   const Real height = segment.height(x), rate = dot<Real, 2>(segment.direction, v),
              half = M::accelerated ? Real(dot<Real, 2>(segment.direction, a) / 2) : Real(0);
   int home = height > 0 ? 1 : -1;  // on the line itself: the side that the velocity points to
@@ -193,7 +194,13 @@ template <Motion M, class Shape>
   const Ball<Real, D>& ball = world.balls[i];
   Event<Real, D> event;
   if (ball.fixed) return event;
+  if constexpr (M::can_rest) {
+    if (ball.held != 0 && ball.held == flat_number(world.walls, shape)) return predict_leaving(motion, world, i, shape);
+    if (ball.held != 0 && is_end_of_rest(world, ball, shape)) return event;
+  }
   const Contact<D>* contact = wall_contact(world, i, index(shape.wall), shape.feature);
+  if constexpr (M::can_rest)
+    if (contact != nullptr && contact->left) return event;
   Real flight;
   if constexpr (std::is_same_v<Shape, Segment<Real>>) {
     const SidedFlight<Real> sided = flight_to_segment(motion, world, ball, shape, contact);

@@ -40,10 +40,16 @@ enum class LawKind : std::uint8_t { restitution, stick, merge };
 /// What becomes of contacts at one instant: pair by pair in the order of events until all part, or all at once.
 enum class Simultaneous : std::uint8_t { sequential, symmetric };
 
+/// What is done about infinitely many impacts in finite time.
+enum class Regularise : std::uint8_t { stop, rest, viscoelastic };
+
 struct CollisionSpec {
-  LawKind law = LawKind::restitution;  ///< DEFAULT: restitution
-  Number restitution = 1.0;            ///< e [-], 0..1. DEFAULT: 1 (elastic)
+  LawKind law = LawKind::restitution;         ///< DEFAULT: restitution
+  Number restitution = 1.0;                   ///< e [-], 0..1. DEFAULT: 1 (elastic)
   Simultaneous simultaneous = Simultaneous::sequential;  ///< DEFAULT: sequential
+  Number contact_time = 0.0;                  ///< [time], >= 0: t_c of the TC model. DEFAULT: 0 (off)
+  Regularise regularise = Regularise::stop;   ///< DEFAULT: the run stops
+  std::optional<Number> reference_speed{};    ///< [length/time], > 0: viscoelastic: where restitution holds as given
   Where where{};
 };
 

@@ -83,7 +83,7 @@ class CellGrid {
       since = now;
       x = position_at(motion, world, i, now);
       v = velocity_at(motion, world, i, now);
-      a = motion.acceleration(false);
+      a = motion.acceleration(motion.phase(ball));
     }
     for (int k = 0; k < D; ++k) {
       for (const int up : {0, 1}) {

@@ -25,6 +25,7 @@ struct Exactness {
   std::int64_t clamped = 0;               ///< events found in the past: must stay 0
   std::int64_t unresolved = 0;            ///< positive flight times that rounded to no tick of the clock
   std::int64_t singular = 0;              ///< point balls that hit a vertex
+  std::int64_t summed_bounces = 0;        ///< series of bounces whose end was summed: a ball came to rest
   std::int64_t repredicted = 0;           ///< stale events predicted anew: work, not physics
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,10 +13,13 @@
 #include "carom/predict/ball_wall.hpp"
 #include "carom/predict/event.hpp"
 #include "carom/sim/books.hpp"
+#include "carom/sim/collapse_reason.hpp"
 #include "carom/sim/collapse_watch.hpp"
+#include "carom/sim/contact_rule.hpp"
 #include "carom/sim/measures.hpp"
 #include "carom/sim/record.hpp"
 #include "carom/sim/recording.hpp"
+#include "carom/sim/rest.hpp"
 #include "carom/sim/sides.hpp"
 #include "carom/sim/together.hpp"
 #include "carom/sim/unite.hpp"
@@ -53,6 +57,8 @@ class Collider {
   Verdict collide(WorldType& world, const M& motion, const Event<Real, D>& event, Sink&& sink) {
     moved_.clear();
     exactness.unresolved += event.unresolved;
+    if constexpr (M::can_rest)
+      if (event.kind == EventKind::motion_change) return leave(world, motion, event);
     return event.kind == EventKind::ball_ball ? ball_ball(world, motion, event, sink)
                                               : ball_wall(world, motion, event, sink);
   }
@@ -121,11 +127,10 @@ class Collider {
     impact.vb = velocity_at(motion, world, j, now);
     impact.ma = world.body_mass(i);
     impact.mb = world.body_mass(j);
-    impact.e = world.restitution.between(a.material, b.material);
     if (detail::infinite(impact.ma) && detail::infinite(impact.mb))
       return stop(Verdict::collapse, "two infinite masses meet, and no law says what follows", {i, j});
 
-    const Vector xa = position_at(motion, world, i, now), xb = position_at(motion, world, j, now);
+    Vector xa = position_at(motion, world, i, now), xb = position_at(motion, world, j, now);
     for (int k = 0; k < D; ++k) {
       impact.r[k] = wide_difference<Real>(xb[k], xa[k]);
       if (world.space.periodic()) impact.r[k] = impact.r[k] + wide_product<Real>(Real(event.image[k]), world.space.edge[k]);
@@ -133,6 +138,7 @@ class Collider {
     const Real sigma = world.balls[i].radius + world.balls[j].radius;
     const Real gap = world.law == LawKind::merge ? Real(0) : note_gap(exactness, gap_of_pair<Real>(impact.r, sigma), sigma);
     if constexpr (D == 1) impact.r[0] = W(Real(side_on_line(world, i, j, event.image)));
+    impact.e = restitution_of_pair(world, impact, i, j, now);
 
     const bool tie = is_tie(a, now, Party::ball, j, 0) || is_tie(b, now, Party::ball, i, 0);
     const Time<Real> before_a = a.last_hit, before_b = b.last_hit;
@@ -142,10 +148,10 @@ class Collider {
       const Turns<D> image_a = a.image, image_b = b.image;
       const Vector from_a = narrowed(impact.r);
       sides_.note(world, i);
-      write_motion(world, motion, i, xa, outcome.va, now, moved_);
+      write(world, motion, i, xa, outcome.va, now);
       sides_.keep(world, i, Vector(-from_a));
       sides_.note(world, j);
-      write_motion(world, motion, j, xb, outcome.vb, now, moved_);
+      write(world, motion, j, xb, outcome.vb, now);
       sides_.keep(world, j, from_a);
       hold_pair(world, i, j, event.image, image_a, image_b);
     } else {
@@ -176,8 +182,10 @@ class Collider {
     if (world.law == LawKind::stick) return Verdict::go_on;
     if (outcome.impulse == 0 && before_a == now && before_b == now && !tie)
       return stop(Verdict::collapse,
-                  impact.e < 1 ? collapse_reason() : "a ball rests against another: the contact never ends", {i, j});
-    return watch_streak(impact.e, now, {i, j}, outcome.impulse);
+                  impact.e < 1 || M::can_rest ? collapse_reason(world.regularise, Support::ball)
+                                              : "a ball rests against another: the contact never ends",
+                  {i, j});
+    return watch_contact(world, impact, now, {i, j}, outcome.impulse, Support::ball);
   }
 
   template <class Sink>
@@ -189,12 +197,12 @@ class Collider {
     impact.va = velocity_at(motion, world, i, now);
     impact.ma = world.body_mass(i);
     impact.mb = infinity<Real>();
-    impact.e = world.restitution.at_wall(a.material, event.partner);
     if (detail::infinite(impact.ma))
       return stop(Verdict::collapse, "a ball of infinite mass meets a wall, and no law says what follows", {i});
 
-    const Vector x = position_at(motion, world, i, now);
+    Vector x = position_at(motion, world, i, now);
     Real gap(0);
+    Support support = Support::curve;
     world.walls.with(event.partner, event.feature, [&](const auto& shape) {
       impact.vb = wall_velocity(shape);
       const Vector at = x - wall_drift(world, shape, now);
@@ -205,16 +213,36 @@ class Collider {
       }
       for (int k = 0; k < D; ++k) impact.r[k] = W(Real(-n[k]));
       gap = note_gap(exactness, Real(shape.gap(at) - world.balls[i].radius), world.balls[i].radius);
+      if (flat_number(world.walls, shape) != 0) support = Support::corner;
     });
 
-    const Outcome<Real, D> outcome = resolve_impact(impact);
+    impact.e = restitution_at_wall(world, impact, i, event.partner, support == Support::corner, now);
+    Outcome<Real, D> outcome = resolve_impact(impact);
     const bool tie = is_tie(a, now, Party::wall, event.partner, event.feature);
     const Time<Real> before = a.last_hit;
+    const bool again = is_last(a, Party::wall, event.partner, event.feature);
+    std::uint8_t landed_on = 0;
+    if constexpr (M::can_rest) {
+      const std::optional<Landing<Real, D>> still = stay(world, i, x, outcome.va, now);
+      landed_on = land(world, event, still ? motion.acceleration(M::phase(world.balls[i])) : world.acceleration, x, outcome,
+                       impact.e);
+      if (landed_on != 0 && still) return stop(Verdict::collapse, collapse_reason(world.regularise, Support::corner), {i});
+    }
     sides_.note(world, i);
-    write_motion(world, motion, i, x, outcome.va, now, moved_);
+    write(world, motion, i, x, outcome.va, now);
+    if (landed_on != 0) {
+      world.balls[i].held = landed_on;
+      ++counts.other;
+      exactness.summed_bounces += outcome.impulse > 0;
+    }
     hold_contact(world, i,
                  Contact<D>{Party::wall, event.partner, event.feature, {}, event.side, true, world.balls[i].stamp, 0});
     sides_.keep(world, i, Vector(-narrowed(impact.r)));
+    if (landed_on != 0 && outcome.impulse == 0) {  // it lies there, and nothing hits anything
+      note_potential(world, i);
+      book(books, outcome);
+      return Verdict::go_on;
+    }
 
     ++counts.ball_wall;
     note_potential(world, i);
@@ -232,8 +260,62 @@ class Collider {
     if (!finite(outcome.va)) return stop(Verdict::non_finite, "a velocity is no longer a finite number", {i});
     if (outcome.impulse == 0 && before == now && !tie)
       return stop(Verdict::collapse,
-                  impact.e < 1 ? collapse_reason() : "a ball is pressed against a wall: the contact never ends", {i});
-    return watch_streak(impact.e, now, {i}, outcome.impulse);
+                  impact.e < 1 || M::can_rest ? collapse_reason(world.regularise, support)
+                                              : "a ball is pressed against a wall: the contact never ends",
+                  {i});
+    if (M::can_rest && support == Support::corner && again) return Verdict::go_on;  // bounces on one wall end in rest
+    return watch_contact(world, impact, now, {i}, outcome.impulse, support);
+  }
+
+  /// Ball i goes on from x with velocity v: on the wall that it rests on, if v keeps it there.
+  void write(WorldType& world, const M& motion, std::uint32_t i, Vector& x, Vector& v, const Time<Real>& now) {
+    if constexpr (M::can_rest) {
+      inject(books, work_at_rest(world, i, now));
+      const std::optional<Landing<Real, D>> still = stay(world, i, x, v, now);
+      const bool flies = world.balls[i].held != 0 && !still;
+      if (still) take(*still, x, v);
+      write_motion(world, motion, i, x, v, now, moved_);
+      if (flies) release(world, i);
+    } else {
+      write_motion(world, motion, i, x, v, now, moved_);
+    }
+  }
+  void take(const Landing<Real, D>& rest, Vector& x, Vector& v) {
+    x = rest.position;
+    v = rest.velocity;
+    books.dissipated = books.dissipated + rest.dissipated;
+    inject(books, rest.injected);
+  }
+
+  /// The number of the flat wall that ball event.ball has hit and come to rest on, or 0; `a` is its acceleration from now
+  /// on.
+  std::uint8_t land(const WorldType& world, const Event<Real, D>& event, const Vector& a, Vector& x,
+                    Outcome<Real, D>& outcome, const Real& e) {
+    std::uint8_t number = 0;
+    world.walls.with(event.partner, event.feature, [&](const auto& shape) {
+      if constexpr (!std::is_same_v<std::remove_cvref_t<decltype(shape)>, Sphere<Real, D>>) {
+        if (!comes_to_rest<Real, D>(shape, x, outcome.va, a, world.balls[event.ball].radius, e, event.time)) return;
+        number = static_cast<std::uint8_t>(flat_number(world.walls, shape));
+        const Landing<Real, D> rest = set_at_rest(world, shape, event.ball, x, outcome.va, event.time);
+        x = rest.position;
+        outcome.va = rest.velocity;
+        outcome.dissipated = outcome.dissipated + rest.dissipated;
+        outcome.injected = outcome.injected + rest.injected;
+      }
+    });
+    return number;
+  }
+
+  /// Ball event.ball slides off the end of the wall that it rests on.
+  Verdict leave(WorldType& world, const M& motion, const Event<Real, D>& event) {
+    const std::uint32_t i = event.ball;
+    inject(books, work_at_rest(world, i, event.time));
+    write_motion(world, motion, i, position_at(motion, world, i, event.time), velocity_at(motion, world, i, event.time),
+                 event.time, moved_);
+    release(world, i, true);
+    note_potential(world, i);
+    ++counts.other;
+    return Verdict::go_on;
   }
 
   void note_potential(const WorldType& world, std::uint32_t i) {
@@ -307,28 +389,38 @@ class Collider {
     }
     if (!finite(share.va) || !finite(share.vb))
       return stop(Verdict::non_finite, "a velocity is no longer a finite number", {event.ball});
-    if (pair) return watch_streak(c.impact.e, event.time, {event.ball, event.partner}, share.impulse);
-    return watch_streak(c.impact.e, event.time, {event.ball}, share.impulse);
+    if (pair) return watch_contact(world, c.impact, event.time, {event.ball, event.partner}, share.impulse, Support::ball);
+    return watch_contact(world, c.impact, event.time, {event.ball}, share.impulse, Support::corner);
   }
 
-  Verdict watch_streak(const Real& e, const Time<Real>& now, std::initializer_list<std::uint32_t> balls,
-                       const Real& impulse) {
+  Verdict watch_contact(const WorldType& world, const Impact<Real, D>& impact, const Time<Real>& now,
+                        std::initializer_list<std::uint32_t> balls, const Real& impulse, Support support) {
+    if (watch.idles(now, impulse == 0, world.balls.size()))
+      return stop(Verdict::collapse, "balls rest against each other: the contacts never end", cluster(balls));
     if (!watch.watching()) return Verdict::go_on;
+    // Balls that rest on flat walls do so by a rule of their own, not by rounding.
+    const bool may_round = !M::can_rest || support == Support::ball;
+    const Real mass = impact.ma < impact.mb ? impact.ma : impact.mb;
+    const Vector still = Vector::Zero();
+    const typename CollapseWatch<Real>::Contact contact{
+        now,
+        impulse,
+        may_round ? Real(mass * rounding_of_velocity(impact)) : Real(-1),
+        mass * rounding_of_position(world, *balls.begin()),
+        impact.e < 1,
+        (detail::infinite(impact.ma) && impact.va != still) || (detail::infinite(impact.mb) && impact.vb != still)};
     bool collapse = false;
-    for (const std::uint32_t i : balls) {
-      if (e < 1) {
-        collapse = watch.collapses(i, now, balls, impulse, e) || collapse;
-      } else {
-        watch.end_streak(i);
-      }
-    }
-    return collapse ? stop(Verdict::collapse, collapse_reason(), cluster(balls)) : Verdict::go_on;
+    for (const std::uint32_t i : balls) collapse = watch.collapses(i, balls, contact) || collapse;
+    return collapse ? stop(Verdict::collapse, collapse_reason(world.regularise, support), cluster(balls)) : Verdict::go_on;
   }
 
+  [[nodiscard]] static bool is_last(const BallDetail<Real, D>& ball, Party party, std::uint32_t partner,
+                                    std::int32_t feature) {
+    return ball.last_party == party && ball.last_partner == partner && ball.last_feature == feature;
+  }
   [[nodiscard]] static bool is_tie(const BallDetail<Real, D>& ball, const Time<Real>& now, Party party,
                                    std::uint32_t partner, std::int32_t feature) {
-    return ball.last_hit == now &&
-           !(ball.last_party == party && ball.last_partner == partner && ball.last_feature == feature);
+    return ball.last_hit == now && !is_last(ball, party, partner, feature);
   }
   static void remember(BallDetail<Real, D>& ball, const Time<Real>& now, Party party, std::uint32_t partner,
                        std::int32_t feature) {
@@ -349,9 +441,6 @@ class Collider {
     return true;
   }
 
-  [[nodiscard]] static std::string collapse_reason() {
-    return "infinitely many dissipating impacts in finite time: inelastic collapse, or a contact that never ends";
-  }
   /// The balls and those that they hit last.
   [[nodiscard]] std::vector<std::uint32_t> cluster(std::initializer_list<std::uint32_t> balls) const {
     std::vector<std::uint32_t> all(balls);

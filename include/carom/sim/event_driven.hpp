@@ -97,6 +97,8 @@ class EventDriven {
       write_motion(world_, motion_, i, position_at(motion_, world_, i, t),
                    Vec<Real, D>(-velocity_at(motion_, world_, i, t)), t, written);
       for (const std::uint32_t k : written) done[k] = true;
+      if constexpr (M::can_rest)
+        if (world_.balls[i].held != 0) release(world_, i);
     }
     resume(t);
   }

@@ -27,7 +27,7 @@ void join_bodies(World<typename M::Real, M::dimension>& world, const M& motion, 
     Body<Real, D> body = world.bodies[static_cast<std::size_t>(b)];
     const Ball<Real, D>& ball = world.balls[k];
     if (ball.time != t)
-      body.position = motion.stored_position(body.position, ball.velocity, ball.fixed, elapsed(ball.time, t));
+      body.position = motion.stored_position(body.position, ball.velocity, motion.phase(ball), elapsed(ball.time, t));
     return body;
   };
   const auto place_of = [](const Body<Real, D>& body, std::uint32_t k) {

@@ -42,13 +42,18 @@ inline void note_potential(EnergyBooks<Real>& books, const World<Real, D>& world
   if (narrow(p) < books.lowest_potential) books.lowest_potential = narrow(p);
 }
 
+template <class Real>
+inline void inject(EnergyBooks<Real>& books, const Wide<Real>& work) {
+  if (narrow(work) == 0) return;
+  books.injected = books.injected + work;
+  const Real injected = narrow(books.injected);
+  if (injected > books.largest_injected) books.largest_injected = injected;
+}
+
 template <class Real, int D>
 inline void book(EnergyBooks<Real>& books, const Outcome<Real, D>& outcome) {
   books.dissipated = books.dissipated + outcome.dissipated;
-  if (narrow(outcome.injected) == 0) return;
-  books.injected = books.injected + outcome.injected;
-  const Real injected = narrow(books.injected);
-  if (injected > books.largest_injected) books.largest_injected = injected;
+  inject(books, outcome.injected);
 }
 
 }  // namespace carom

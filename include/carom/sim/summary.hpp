@@ -43,6 +43,7 @@ struct ExactnessSummary {
   std::int64_t clamped = 0;
   std::int64_t unresolved = 0;
   std::int64_t singular = 0;
+  std::int64_t summed_bounces = 0;
   std::int64_t repredicted = 0;
 };
 

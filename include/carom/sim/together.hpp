@@ -7,6 +7,7 @@
 
 #include "carom/law/simultaneous.hpp"
 #include "carom/predict/event.hpp"
+#include "carom/sim/contact_rule.hpp"
 #include "carom/sim/measures.hpp"
 #include "carom/sim/touching.hpp"
 #include "carom/sim/wall_party.hpp"
@@ -99,7 +100,7 @@ class TogetherMaker {
     impact.vb = b.velocity;
     impact.ma = world_.body_mass(a.ball);
     impact.mb = world_.body_mass(b.ball);
-    impact.e = world_.restitution.between(world_.details[a.ball].material, world_.details[b.ball].material);
+    impact.e = restitution_of_pair(world_, impact, a.ball, b.ball, now_);
     result_.cluster.contacts.push_back({a.body, b.body, impact.r, impact.e});
   }
 
@@ -110,6 +111,7 @@ class TogetherMaker {
     impact.ma = world_.body_mass(a.ball);
     impact.mb = infinity<Real>();
     c.radii = world_.balls[a.ball].radius;
+    bool flat = false;
     world_.walls.with(c.event.partner, c.event.feature, [&](const auto& shape) {
       impact.vb = wall_velocity(shape);
       const Vector at = a.position - wall_drift(world_, shape, now_);
@@ -118,8 +120,9 @@ class TogetherMaker {
       if (c.singular) n = -(impact.va - impact.vb);
       for (int k = 0; k < D; ++k) impact.r[k] = W(Real(-n[k]));
       c.gap = shape.gap(at) - c.radii;
+      flat = flat_number(world_.walls, shape) != 0;
     });
-    impact.e = world_.restitution.at_wall(world_.details[a.ball].material, c.event.partner);
+    impact.e = restitution_at_wall(world_, impact, a.ball, c.event.partner, flat, now_);
     result_.cluster.contacts.push_back({a.body, result_.cluster.bodies.size(), impact.r, impact.e});
     result_.cluster.bodies.push_back({impact.mb, impact.vb});
   }

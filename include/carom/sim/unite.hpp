@@ -25,8 +25,7 @@ inline void absorb(const World<Real, D>& world, Outcome<Real, D>& outcome, const
 /// In a periodic space under acceleration the mass m of ball j is counted from now on in the periods of ball i. What that
 /// changes in its potential, which is defined up to whole periods only, is booked with what the impact dissipates.
 template <Motion M>
-inline void recount(const World<typename M::Real, M::dimension>& world,
-                    Outcome<typename M::Real, M::dimension>& outcome,
+inline void recount(const World<typename M::Real, M::dimension>& world, Outcome<typename M::Real, M::dimension>& outcome,
                     const Event<typename M::Real, M::dimension>& event, const typename M::Real& m) {
   using Real = typename M::Real;
   using W = Wide<Real>;

@@ -23,6 +23,7 @@ struct Ball {
   bool fixed = false;       ///< never moves
   bool in_contact = false;  ///< made contacts at `time`: see Contact
   bool alive = true;        ///< false once it has left (merged, pocketed)
+  std::uint8_t held = 0;    ///< rests on this flat wall (see world/flat_walls.hpp); 0: flies
 };
 
 /// What touches: the other party of a contact.
@@ -40,6 +41,7 @@ struct Contact {
   bool acted = false;               ///< the impact was resolved; false: in contact by start or by rounding
   std::uint32_t own_stamp = 0;      ///< after the impact
   std::uint32_t partner_stamp = 0;  ///< after the impact
+  bool left = false;                ///< the ball has slid off the end of this wall: they do not meet again from here
 
   [[nodiscard]] bool with(Party p, std::uint32_t n, std::int32_t f, const Image<D>& i) const {
     return party == p && partner == n && feature == f && image == i;

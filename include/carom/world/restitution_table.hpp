@@ -24,6 +24,14 @@ class RestitutionTable {
     const auto below = [](const Real& e) { return e < 1; };
     return std::any_of(between_.begin(), between_.end(), below) || std::any_of(at_wall_.begin(), at_wall_.end(), below);
   }
+  /// The table with f(e) in the place of every e.
+  template <class F>
+  [[nodiscard]] RestitutionTable mapped(F&& f) const {
+    RestitutionTable table = *this;
+    std::transform(between_.begin(), between_.end(), table.between_.begin(), f);
+    std::transform(at_wall_.begin(), at_wall_.end(), table.at_wall_.begin(), f);
+    return table;
+  }
   /// All values, for a fingerprint.
   [[nodiscard]] std::vector<Real> values() const {
     std::vector<Real> all = between_;

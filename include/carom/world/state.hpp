@@ -15,7 +15,7 @@ template <Motion M>
                                                     std::uint32_t i, const Time<typename M::Real>& t) {
   const auto& b = world.balls[i];
   return b.time == t ? typename M::Vector(b.position)
-                     : motion.stored_position(b.position, b.velocity, b.fixed, elapsed(b.time, t));
+                     : motion.stored_position(b.position, b.velocity, motion.phase(b), elapsed(b.time, t));
 }
 
 /// Velocity of ball i at `t` >= its stored time.
@@ -23,7 +23,7 @@ template <Motion M>
 [[nodiscard]] inline typename M::Vector velocity_at(const M& motion, const World<typename M::Real, M::dimension>& world,
                                                     std::uint32_t i, const Time<typename M::Real>& t) {
   const auto& b = world.balls[i];
-  return b.time == t ? typename M::Vector(b.velocity) : motion.stored_velocity(b.velocity, b.fixed, elapsed(b.time, t));
+  return b.time == t ? typename M::Vector(b.velocity) : motion.stored_velocity(b.velocity, motion.phase(b), elapsed(b.time, t));
 }
 
 /// Wraps x into the cell of a periodic space, [lower, lower + edge), and gives the periods taken out.
@@ -101,7 +101,7 @@ inline void write_motion(World<typename M::Real, M::dimension>& world, const M& 
   auto& body = world.bodies[static_cast<std::size_t>(b)];
   const auto& before = world.balls[i];
   if (before.time != t)
-    body.position = motion.stored_position(body.position, before.velocity, before.fixed, elapsed(before.time, t));
+    body.position = motion.stored_position(body.position, before.velocity, motion.phase(before), elapsed(before.time, t));
   write_body(world, body, v, t, written);
 }
 

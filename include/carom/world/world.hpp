@@ -56,6 +56,10 @@ struct World {
   RestitutionTable<Real> restitution;
   LawKind law = LawKind::restitution;
   Simultaneous simultaneous = Simultaneous::sequential;
+  Regularise regularise = Regularise::stop;
+  Real contact_time = Real(0);              ///< [L] t_c of the TC model; 0: off
+  Real reference_speed = Real(1);           ///< [length unit / L] viscoelastic
+  RestitutionTable<Real> viscoelastic{};    ///< the arguments x of `viscoelastic_restitution` at the reference speed
 
   /// Mass of the body that ball i belongs to.
   [[nodiscard]] const Real& body_mass(std::uint32_t i) const {
