@@ -1,18 +1,21 @@
 #pragma once
-// The fixed-step mode: the same scene, moved by time steps of one length. What a step costs can be measured against Simulation.
+// The fixed-step mode: the same scene, moved by time steps of one length. What a step costs can be measured against
+// Simulation.
 //
 // Balls, walls, space, masses, restitution and numbering are those of the event-driven mode. Gravity is integrated as game
 // engines do, by semi-implicit Euler (v += a dt, then x += v dt), in all methods but `penalty`, which uses velocity Verlet.
-// The law is restitution: scenes with law "stick" or "merge" are refused. Two infinite masses, or one and a wall, pass through
-// each other. A two-sided wall (segment, polygon) acts towards the side that the centre of a ball is on: once the centre
-// has passed, the ball is through.
+// The law is restitution: scenes with law "stick" or "merge" are refused. Two infinite masses, or one and a wall, pass
+// through each other. A two-sided wall (segment, polygon) acts towards the side that the centre of a ball is on: once the
+// centre has passed, the ball is through.
 //
 // What is reported as a collision (StepContact::impulse > 0):
-// - discrete, speculative: once for each unbroken run of steps in which the pair is found in contact, in the first of them that
+// - discrete, speculative: once for each unbroken run of steps in which the pair is found in contact, in the first of them
+// that
 //   gives it an impulse, and with the impulse of that step. In the other steps the contact is reported with impulse 0.
 // - swept: every impact, at its own moment; but under acceleration an impact that follows one without restitution in
 //   the step before is a ball that rests, and has impulse 0.
-// - penalty: when the contact ends, or has lasted twice the contact time, with the whole impulse and the deepest overlap up to
+// - penalty: when the contact ends, or has lasted twice the contact time, with the whole impulse and the deepest overlap up
+// to
 //   then; not before.
 
 #include <memory>
@@ -33,7 +36,7 @@ enum class PositionCorrection : std::uint8_t { full, baumgarte, none };
 
 /// Gauss-Seidel passes over the contacts of a step, and what becomes of overlaps.
 struct SolverOptions {
-  int iterations = 1;                                         ///< passes, 1..1000
+  int iterations = 1;  ///< passes, 1..1000
   PositionCorrection correction = PositionCorrection::full;
   double fraction = 0.2;   ///< baumgarte: [-] of the overlap taken back in a pass, 0..1. DEFAULT: 0.2
   double slop = 0.01;      ///< baumgarte: [radius of the smaller ball] overlap left alone, >= 0. DEFAULT: 0.01
@@ -56,8 +59,9 @@ enum class Sweep : std::uint8_t { once, substeps };
 /// Continuous detection inside the step: contact times in closed form along the straight paths of the step.
 struct SweptOptions {
   Sweep sweep = Sweep::once;  ///< DEFAULT: once
-  int limit = 100;            ///< substeps: contacts a ball and step; beyond it the rest of the step is lost, 1..1000000. DEFAULT: 100
-  double threshold = 0.0;     ///< [length/time] pairs that approach more slowly get restitution 0, >= 0. DEFAULT: 0
+  int limit =
+      100;  ///< substeps: contacts a ball and step; beyond it the rest of the step is lost, 1..1000000. DEFAULT: 100
+  double threshold = 0.0;  ///< [length/time] pairs that approach more slowly get restitution 0, >= 0. DEFAULT: 0
 
   friend bool operator==(const SweptOptions&, const SweptOptions&) = default;
 };
@@ -80,6 +84,9 @@ struct PenaltyOptions {
 
 using StepMethodOptions = std::variant<DiscreteOptions, SweptOptions, SpeculativeOptions, PenaltyOptions>;
 
+/// An impact of the penalty method must last so many steps at least: below, its spring is not stable.
+inline constexpr double least_contact_steps = 4.0;
+
 struct FixedStepOptions {
   double dt = 0.0;             ///< [time] of a step, > 0 and finite. It must be given
   StepMethodOptions method{};  ///< DEFAULT: discrete
@@ -99,8 +106,8 @@ struct FixedStepOptions {
 /// Names of the methods: "discrete", "swept", "speculative", "penalty".
 [[nodiscard]] const std::vector<std::string>& step_method_names();
 
-/// The scene at its start, ready to step. Throws InputError with every problem: of the scene, of dt, of the method's options,
-/// and of a law that the fixed-step mode does not have.
+/// The scene at its start, ready to step. Throws InputError with every problem: of the scene, of dt, of the method's
+/// options, and of a law that the fixed-step mode does not have.
 [[nodiscard]] std::unique_ptr<Stepper> make_stepper(const Scene& scene, const FixedStepOptions& options);
 
 }  // namespace carom

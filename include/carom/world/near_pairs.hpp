@@ -23,6 +23,7 @@ struct PairGrid {
   std::array<double, D> lower{}, cell{};
   std::array<std::int64_t, D> cells{};
   std::vector<std::uint32_t> first, balls;  // balls of cell c: balls[first[c]] .. balls[first[c + 1] - 1]
+  std::vector<std::uint32_t> alive, fill;   // working space
 
   [[nodiscard]] std::int64_t place(double x, int k) const {
     const double n = std::floor((x - lower[k]) / cell[k]);
@@ -34,11 +35,13 @@ struct PairGrid {
 
 /// Calls f(i, j, image) once for every pair i < j (and i == j for a ball and its own image) that may be closer than the sum
 /// of the radii plus `margin`; `positions` are those of the balls, wrapped in a periodic space. Farther pairs may be named
-/// too.
+/// too. `grid` lends its memory: where it is kept from call to call, nothing is allocated again.
 template <class Real, int D, class F>
-void for_each_near_pair(const World<Real, D>& world, const std::vector<Vec<Real, D>>& positions, double margin, F&& f) {
+void for_each_near_pair(const World<Real, D>& world, const std::vector<Vec<Real, D>>& positions, double margin,
+                        detail::PairGrid<D>& grid, F&& f) {
   const std::uint32_t n = static_cast<std::uint32_t>(positions.size());
-  std::vector<std::uint32_t> alive;
+  std::vector<std::uint32_t>& alive = grid.alive;
+  alive.clear();
   double reach = 0;
   for (std::uint32_t i = 0; i < n; ++i) {
     if (!world.balls[i].alive) continue;
@@ -48,7 +51,6 @@ void for_each_near_pair(const World<Real, D>& world, const std::vector<Vec<Real,
   if (alive.empty()) return;
   reach = 2 * reach * (1 + 0x1p-20) + margin;
 
-  detail::PairGrid<D> grid;
   const bool periodic = world.space.periodic();
   std::array<double, D> extent{};
   for (int k = 0; k < D; ++k) {
@@ -85,8 +87,8 @@ void for_each_near_pair(const World<Real, D>& world, const std::vector<Vec<Real,
   for (const std::uint32_t i : alive) ++grid.first[flat(cell_of(i)) + 1];
   for (std::size_t c = 0; c < static_cast<std::size_t>(total); ++c) grid.first[c + 1] += grid.first[c];
   grid.balls.resize(alive.size());
-  std::vector<std::uint32_t> fill(grid.first.begin(), grid.first.end() - 1);
-  for (const std::uint32_t i : alive) grid.balls[fill[flat(cell_of(i))]++] = i;
+  grid.fill.assign(grid.first.begin(), grid.first.end() - 1);
+  for (const std::uint32_t i : alive) grid.balls[grid.fill[flat(cell_of(i))]++] = i;
 
   // How many cells away a partner may lie: one where a cell holds the reach, more in a small periodic cell.
   std::array<std::int64_t, D> range{};
@@ -127,6 +129,12 @@ void for_each_near_pair(const World<Real, D>& world, const std::vector<Vec<Real,
       if (k == D) break;
     }
   }
+}
+
+template <class Real, int D, class F>
+void for_each_near_pair(const World<Real, D>& world, const std::vector<Vec<Real, D>>& positions, double margin, F&& f) {
+  detail::PairGrid<D> grid;
+  for_each_near_pair(world, positions, margin, grid, f);
 }
 
 }  // namespace carom
