@@ -169,7 +169,9 @@ StepMethodOptions parse_step_method(std::string_view text) {
                              fmt::format("Known: {}", fmt::join(names, ", "))});
   StepMethodOptions method = plain_method(static_cast<std::size_t>(found - names.begin()));
   std::vector<Problem> problems;
-  while (!rest.empty()) {
+  bool more = name.size() < text.size();
+  while (more) {
+    more = rest.find(':') != std::string_view::npos;
     std::string_view option = cut(rest, ':');
     const bool has_value = option.find('=') != std::string_view::npos;
     Setter setter{cut(option, '='), std::nullopt};

@@ -30,9 +30,9 @@ class Discrete {
     ++s.steps;
     for (LastingContact<D>& c : book_.before()) c.impulse = c.overlap = 0;
     for (int pass = 0; pass < solver_.iterations; ++pass) {
-      near_.ensure(s, 0);
       acted_ = false;
       push_walls(s);
+      find_overlaps(s);
       push_balls(s);
       if (!acted_) break;
     }
@@ -49,26 +49,37 @@ class Discrete {
       walls_.near(s.x[i], s.radius[i], s.since_start(), 0, [&](const WallContact<D>& w) {
         if (s.immovable(i)) return;
         const double impulse = collide_wall(s, i, w.wall, w.normal, w.velocity, threshold_).impulse;
-        push_out(s, solver_, i, -w.gap, w.normal);
+        const bool moved = push_out(s, solver_, i, -w.gap, w.normal);
+        acted_ = acted_ || impulse > 0 || moved;
         note(Contact{EventKind::ball_wall, i, w.wall, w.feature}, -w.gap, impulse, s.steps);
       });
   }
 
-  void push_balls(StepState<D>& s) {
+  void find_overlaps(StepState<D>& s) {
+    near_.ensure(s, 0);
+    overlapping_.clear();
     for (const auto& p : near_.pairs()) {
       const Vec<double, D> r = s.separation(p.i, p.j, p.image);
+      const double sigma = s.radius[p.i] + s.radius[p.j];
+      if (dot<double, D>(r, r) <= sigma * sigma) overlapping_.push_back(p);
+    }
+  }
+
+  void push_balls(StepState<D>& s) {
+    for (const auto& p : overlapping_) {
+      const Vec<double, D> r = s.separation(p.i, p.j, p.image);
       const double rr = dot<double, D>(r, r), sigma = s.radius[p.i] + s.radius[p.j];
-      if (!(rr <= sigma * sigma)) continue;
+      if (!(rr <= sigma * sigma)) continue;  // taken apart by one before it
       const double impulse = collide_balls(s, p.i, p.j, r, threshold_).impulse;
       const double distance = std::sqrt(rr);
-      push_apart(s, solver_, p.i, p.j, r, distance);
+      const bool moved = push_apart(s, solver_, p.i, p.j, r, distance);
+      acted_ = acted_ || impulse > 0 || moved;
       note(Contact{EventKind::ball_ball, p.i, p.j, 0, s.lasting_image(p.i, p.j, p.image)}, sigma - distance, impulse,
            s.steps);
     }
   }
 
   void note(const Contact& found, double overlap, double impulse, std::int64_t step) {
-    acted_ = true;
     Contact& c = book_.touch(found, step);
     c.overlap = std::max(c.overlap, overlap);
     c.impulse += impulse;
@@ -77,6 +88,7 @@ class Discrete {
   SolverOptions solver_;
   double threshold_;  // [length unit / L]
   NearList<D> near_;
+  std::vector<typename NearList<D>::Pair> overlapping_;
   WallContacts<D> walls_;
   ContactBook<D> book_;
   bool acted_ = false;

@@ -98,7 +98,7 @@ class NearList {
   [[nodiscard]] static double spare(const StepState<D>& s) {
     const double path = 2 * s.fastest() * s.dt;
     const double widest = s.radius.empty() ? 0 : *std::max_element(s.radius.begin(), s.radius.end());
-    return path < widest ? std::min(32 * path, 0.5 * widest) : 0.0;
+    return path < widest ? std::min(32 * path, widest) : 0.0;
   }
 
   void sort() {

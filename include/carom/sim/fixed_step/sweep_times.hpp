@@ -67,12 +67,12 @@ class SweepTimes {
   [[nodiscard]] Meeting pair_meeting(const StepState<D>& s, std::uint32_t i, std::uint32_t j, const Image<D>& image) const {
     Meeting c;
     const double sigma = s.radius[i] + s.radius[j];
-    if (D > 1 && sigma == 0) return c;  // two points never meet
+    if ((D > 1 && sigma == 0) || just_met(s, i, j, image)) return c;  // two points never meet
     const double base = std::max(own_[i], own_[j]);
     const Vector v = s.v[j] - s.v[i];
     const Vector r = Vector(s.separation(i, j, image) + s.v[j] * (base - own_[j])) - s.v[i] * (base - own_[i]);
     const double flight = flight_time(r, v, sigma);
-    if (flight == never<double>() || just_met(s, i, j, image)) return c;
+    if (flight == never<double>()) return c;
     c.t = base + flight;
     c.kind = EventKind::ball_ball;
     c.ball = i;
@@ -121,11 +121,14 @@ class SweepTimes {
     Image<D> image{};      // that no wrapping changes
     std::int8_t side = 0;  // of a two-sided wall
     bool pulled = false;   // by a force, since then
+    bool here = true;      // it has not moved since then
   };
 
   void fly(StepState<D>& s, std::uint32_t i, double t) {
+    if (t == own_[i]) return;
     s.x[i] += s.v[i] * (t - own_[i]);
     own_[i] = t;
+    last_[i].here = false;
   }
 
   [[nodiscard]] static double flight_time(const Vector& r, const Vector& v, double sigma) {
@@ -151,7 +154,10 @@ class SweepTimes {
     const Last& last = last_[i];
     const bool met =
         last.kind == EventKind::ball_wall && last.partner == index(shape.wall) && last.feature == shape.feature;
-    const Touch touch = met && !last.pulled ? Touch::spent : Touch::none;
+    // A straight path comes back to nothing but the inside of a circle or sphere.
+    bool concave = false;
+    if constexpr (std::is_same_v<Shape, Sphere<double, D>>) concave = shape.inside;
+    const Touch touch = met && !last.pulled && (last.here || !concave) ? Touch::spent : Touch::none;
     Meeting c;
     if constexpr (std::is_same_v<Shape, Segment<double>>) {
       if (touch == Touch::spent) return c;
