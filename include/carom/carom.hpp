@@ -6,6 +6,7 @@
 #include "carom/scene/read.hpp"
 #include "carom/scene/scene.hpp"
 #include "carom/scene/validate.hpp"
+#include "carom/sim/fixed_step.hpp"
 #include "carom/sim/simulation.hpp"
 #include "carom/write/events_csv.hpp"
 #include "carom/write/summary_json.hpp"

@@ -53,15 +53,15 @@ struct DiscreteOptions {
   friend bool operator==(const DiscreteOptions&, const DiscreteOptions&) = default;
 };
 
-/// once: a ball has one contact in a step, its first, and flies on without looking. substeps: all contacts, in order.
+/// once: a ball has one contact in a step, its first, and flies on without looking. substeps: all contacts, in order, up to
+/// `limit`.
 enum class Sweep : std::uint8_t { once, substeps };
 
 /// Continuous detection inside the step: contact times in closed form along the straight paths of the step.
 struct SweptOptions {
   Sweep sweep = Sweep::once;  ///< DEFAULT: once
-  int limit =
-      100;  ///< substeps: contacts a ball and step; beyond it the rest of the step is lost, 1..1000000. DEFAULT: 100
-  double threshold = 0.0;  ///< [length/time] pairs that approach more slowly get restitution 0, >= 0. DEFAULT: 0
+  int limit = 100;            ///< substeps: contacts of a ball in a step, then it flies on, 1..1000000. DEFAULT: 100
+  double threshold = 0.0;     ///< [length/time] pairs that approach more slowly get restitution 0, >= 0. DEFAULT: 0
 
   friend bool operator==(const SweptOptions&, const SweptOptions&) = default;
 };
@@ -74,7 +74,9 @@ struct SpeculativeOptions {
   friend bool operator==(const SpeculativeOptions&, const SpeculativeOptions&) = default;
 };
 
-/// Soft balls: a linear spring and dashpot while they overlap [CundallStrack1979; Luding1998], velocity Verlet.
+/// Soft balls: a linear spring and dashpot while they overlap [CundallStrack1979; Luding1998], velocity Verlet. Overlaps
+/// reach |v_n| t_c / pi. The restitution of an impact is off by at most 0.05 for t_c = 20 dt and 0.01 for 100 dt
+/// (conservation_test, Penalty).
 struct PenaltyOptions {
   std::optional<double> contact_time{};  ///< [time] of an impact, > 0. DEFAULT: steps * dt
   double steps = 20.0;                   ///< [dt] contact time where none is given, > 0. DEFAULT: 20

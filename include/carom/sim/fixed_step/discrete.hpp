@@ -45,14 +45,15 @@ class Discrete {
 
   void push_walls(StepState<D>& s) {
     if (s.world.walls.empty()) return;
-    for (std::uint32_t i = 0; i < s.size(); ++i)
+    for (std::uint32_t i = 0; i < s.size(); ++i) {
+      if (s.immovable(i)) continue;
       walls_.near(s.x[i], s.radius[i], s.since_start(), 0, [&](const WallContact<D>& w) {
-        if (s.immovable(i)) return;
         const double impulse = collide_wall(s, i, w.wall, w.normal, w.velocity, threshold_).impulse;
         const bool moved = push_out(s, solver_, i, -w.gap, w.normal);
         acted_ = acted_ || impulse > 0 || moved;
         note(Contact{EventKind::ball_wall, i, w.wall, w.feature}, -w.gap, impulse, s.steps);
       });
+    }
   }
 
   void find_overlaps(StepState<D>& s) {

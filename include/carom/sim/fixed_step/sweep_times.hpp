@@ -20,10 +20,10 @@ struct SweptMeeting {
   EventKind kind = EventKind::none;
   std::uint32_t ball = 0, partner = 0;  ///< ball_ball: ball < partner
   std::int32_t feature = 0;
-  Image<D> image{};      ///< of the partner, relative to the positions as they are stored
-  std::int8_t side = 0;  ///< of a two-sided wall
-  bool at_once = false;  ///< they touched or overlapped already
-  std::uint32_t ball_hits = 0, partner_hits = 0;
+  Image<D> image{};                   ///< of the partner, relative to the positions as they are stored
+  std::int8_t side = 0;               ///< of a two-sided wall
+  bool at_once = false;               ///< they touched or overlapped already
+  int ball_met = 0, partner_met = 0;  ///< contacts that they had had in the step when this was predicted
 
   /// Time; walls before balls; then ball, partner, feature, image.
   [[nodiscard]] bool after(const SweptMeeting& o) const {

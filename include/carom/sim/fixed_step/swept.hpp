@@ -11,19 +11,18 @@
 
 namespace carom {
 
-/// v += a dt; then every ball flies straight for dt, and contacts happen at their closed-form times. once: a ball that has
-/// had a contact flies the rest of the step without looking, so it may end inside another ball or beyond a wall; what
-/// overlaps and approaches at the start of a step meets at once. substeps: each contact is followed by a new look at the
-/// two.
+/// v += a dt; then every ball flies straight for dt, and contacts happen at their closed-form times, each followed by a new
+/// look at the two. A ball that has had as many as it may have (once: one) flies the rest of the step without looking, so
+/// it may end inside another ball or beyond a wall; what overlaps and approaches at the start of a step meets at once.
 template <int D>
 class Swept {
  public:
   Swept(const SweptOptions& options, StepState<D>& s, bool every_pair)
-      : options_(options),
+      : limit_(options.sweep == Sweep::once ? 1 : options.limit),
         threshold_(std::ldexp(options.threshold, -s.world.units.velocity())),
         near_(every_pair),
         times_(s.size()),
-        hits_(s.size(), 0),
+        met_(s.size(), 0),
         book_(s.size()) {}
 
   void step(StepState<D>& s, const StepReport& report) {
@@ -31,22 +30,17 @@ class Swept {
     if (s.world.accelerated()) times_.forget(s);
     times_.begin();
     if (near_.ensure(s, 2 * s.fastest() * s.dt)) near_.list_neighbours(s.size());
-    std::int64_t left = static_cast<std::int64_t>(options_.limit) * s.size();
+    std::fill(met_.begin(), met_.end(), 0);
     look_at_all(s);
-    double stop = s.dt;
     while (!queue_.empty()) {
       std::pop_heap(queue_.begin(), queue_.end(), later);
       const Meeting c = queue_.back();
       queue_.pop_back();
-      if (hits_[c.ball] != c.ball_hits || (c.kind == EventKind::ball_ball && hits_[c.partner] != c.partner_hits)) continue;
-      if (options_.sweep == Sweep::substeps && left-- == 0) {
-        stop = c.t;  // the rest of the step is lost
-        break;
-      }
+      if (overtaken(c)) continue;
       meet(s, c, report);
-      if (options_.sweep == Sweep::substeps) look_again(s, c);
+      look_again(s, c);
     }
-    times_.fly_all(s, stop);
+    times_.fly_all(s, s.dt);
     ++s.steps;
     book_.turn();
   }
@@ -56,10 +50,15 @@ class Swept {
 
   static bool later(const Meeting& a, const Meeting& b) { return a.after(b); }
 
+  [[nodiscard]] bool looks(std::uint32_t i) const { return met_[i] < limit_; }
+  [[nodiscard]] bool overtaken(const Meeting& c) const {
+    return met_[c.ball] != c.ball_met || (c.kind == EventKind::ball_ball && met_[c.partner] != c.partner_met);
+  }
+
   void add(Meeting c, const StepState<D>& s) {
     if (!(c.t <= s.dt)) return;
-    c.ball_hits = hits_[c.ball];
-    if (c.kind == EventKind::ball_ball) c.partner_hits = hits_[c.partner];
+    c.ball_met = met_[c.ball];
+    if (c.kind == EventKind::ball_ball) c.partner_met = met_[c.partner];
     queue_.push_back(c);
     std::push_heap(queue_.begin(), queue_.end(), later);
   }
@@ -70,14 +69,15 @@ class Swept {
     for (const auto& p : near_.pairs()) look_at_pair(s, p.i, p.j, p.image);
   }
   void look_at_walls(const StepState<D>& s, std::uint32_t i) {
-    times_.for_each_wall_meeting(s, i, [&](const Meeting& c) { add(c, s); });
+    if (looks(i)) times_.for_each_wall_meeting(s, i, [&](const Meeting& c) { add(c, s); });
   }
   void look_at_pair(const StepState<D>& s, std::uint32_t i, std::uint32_t j, const Image<D>& image) {
-    add(times_.pair_meeting(s, std::min(i, j), std::max(i, j), i < j ? image : -image), s);
+    if (looks(i) && looks(j)) add(times_.pair_meeting(s, std::min(i, j), std::max(i, j), i < j ? image : -image), s);
   }
 
   void look_again(StepState<D>& s, const Meeting& c) {
     const bool pair = c.kind == EventKind::ball_ball;
+    if (!looks(c.ball) && !(pair && looks(c.partner))) return;
     const auto listed = [&](std::uint32_t i) {
       return near_.covers(i, s.x[i], std::sqrt(dot<double, D>(s.v[i], s.v[i])) * (s.dt - c.t));
     };
@@ -92,14 +92,15 @@ class Swept {
     if (pair) look_from(s, c.partner);
   }
   void look_from(const StepState<D>& s, std::uint32_t i) {
+    if (!looks(i)) return;
     look_at_walls(s, i);
     for (const auto& n : near_.neighbours(i)) look_at_pair(s, i, n.ball, n.image);
   }
 
   void meet(StepState<D>& s, const Meeting& c, const StepReport& report) {
     const SweptImpact impact = times_.meet(s, c, threshold_);
-    ++hits_[c.ball];
-    if (c.kind == EventKind::ball_ball) ++hits_[c.partner];
+    ++met_[c.ball];
+    if (c.kind == EventKind::ball_ball) ++met_[c.partner];
     LastingContact<D> found{c.kind, c.ball, c.partner, c.feature};
     if (c.kind == EventKind::ball_ball) found.image = s.lasting_image(c.ball, c.partner, c.image);
     LastingContact<D>& contact = book_.touch(found, s.steps);
@@ -110,12 +111,12 @@ class Swept {
     report.contact(contact, rests ? 0.0 : impact.impulse, report.time - std::ldexp(s.dt - c.t, report.units.time));
   }
 
-  SweptOptions options_;
+  int limit_;
   double threshold_;  // [length unit / L]
   NearList<D> near_;
   SweepTimes<D> times_;
-  std::vector<std::uint32_t> hits_;  // by ball: tells meetings that have been overtaken
-  std::vector<Meeting> queue_;       // a heap, the first on top
+  std::vector<int> met_;        // contacts in this step, by ball: tells meetings that have been overtaken
+  std::vector<Meeting> queue_;  // a heap, the first on top
   ContactBook<D> book_;
 };
 
