@@ -1,23 +1,25 @@
 #pragma once
-// The fixed-step mode: the same scene, moved by time steps of one length. What a step costs can be measured against
-// Simulation.
+// The fixed-step mode: the same scene, moved by time steps of one length, to measure against Simulation what a step costs.
 //
 // Balls, walls, space, masses, restitution and numbering are those of the event-driven mode. Gravity is integrated as game
 // engines do, by semi-implicit Euler (v += a dt, then x += v dt), in all methods but `penalty`, which uses velocity Verlet.
 // The law is restitution: scenes with law "stick" or "merge" are refused. Two infinite masses, or one and a wall, pass
 // through each other. A two-sided wall (segment, polygon) acts towards the side that the centre of a ball is on: once the
-// centre has passed, the ball is through.
+// centre has passed, the ball is through; so `discrete` and `penalty` let points through such walls.
 //
 // What is reported as a collision (StepContact::impulse > 0):
-// - discrete, speculative: once for each unbroken run of steps in which the pair is found in contact, in the first of them
-// that
-//   gives it an impulse, and with the impulse of that step. In the other steps the contact is reported with impulse 0.
-// - swept: every impact, at its own moment; but under acceleration an impact that follows one without restitution in
-//   the step before is a ball that rests, and has impulse 0.
-// - penalty: when the contact ends, or has lasted twice the contact time, with the whole impulse and the deepest overlap up
-// to
-//   then; not before.
+//
+// discrete, speculative: one for each unbroken run of steps in which the pair is found in contact, in the first of them
+// that gives it an impulse, and with the impulse of that step. In its other steps the contact is reported with impulse 0.
+//
+// swept: every impact, at its own moment. But under acceleration an impact that follows one without restitution in the step
+// before is a ball that rests, and has impulse 0.
+//
+// penalty: one for each contact, when it ends or has lasted twice the contact time, with the whole impulse and the deepest
+// overlap up to then; nothing before. Its time is the end of that step, about the contact time after the balls first
+// touched.
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -94,7 +96,7 @@ struct FixedStepOptions {
   StepMethodOptions method{};  ///< DEFAULT: discrete
 };
 
-/// A method written as name[:option[=value]]...
+/// A method written as name[:option[=value]]..., for instance "discrete:iterations=8:correction=baumgarte".
 ///   discrete     iterations=N  correction=full|baumgarte|none  fraction=F  slop=S  threshold=V
 ///   swept        substeps  limit=N  threshold=V
 ///   speculative  as discrete

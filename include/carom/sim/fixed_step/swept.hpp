@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <vector>
 
 #include "carom/sim/fixed_step/near_list.hpp"
 #include "carom/sim/fixed_step/step_report.hpp"
