@@ -4,7 +4,7 @@ include(CMakePackageConfigHelpers)
 set(carom_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/carom)
 
 install(TARGETS carom EXPORT caromTargets)
-install(DIRECTORY include/carom TYPE INCLUDE FILES_MATCHING PATTERN "*.hpp")
+install(DIRECTORY include/carom TYPE INCLUDE FILES_MATCHING PATTERN "*.hpp" PATTERN game_engine EXCLUDE)
 install(EXPORT caromTargets NAMESPACE carom:: DESTINATION ${carom_package_dir})
 
 configure_package_config_file(src/cmake/caromConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/caromConfig.cmake

@@ -24,7 +24,5 @@ inline constexpr double bullet_ring_depth = 0.005;
 
 /// Triangles of the 3-D mesh that stands for a sphere from inside: an icosahedron, refined so many times.
 inline constexpr int bullet_ring_levels = 5;
-/// How far inside the sphere the middle of its largest triangle lies [radius of the sphere]; measured by limits_test.
-inline constexpr double bullet_ring_sagitta = 4.2e-4;
 
 }  // namespace carom::game_engine

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "adapters.hpp"
+#include "sphere_mesh.hpp"
 
 namespace carom::game_engine {
 
@@ -21,31 +22,10 @@ void add_strip(btTriangleMesh& mesh, Point from, Point to, double height) {
   mesh.addTriangle(a, c, d);
 }
 
-Point unit(const Point& x) { return along({}, 1 / norm(x), x); }
-
-/// A triangle of the unit sphere, cut into four so many times, moved out to the ring.
-void add_patch(btTriangleMesh& mesh, const Piece& ring, const Point& a, const Point& b, const Point& c, int levels) {
-  if (levels == 0) {
+void add_sphere(btTriangleMesh& mesh, const Piece& ring) {
+  for (const auto& [a, b, c] : unit_sphere_triangles(bullet_ring_levels))
     mesh.addTriangle(vec(along(ring.point, ring.radius, a)), vec(along(ring.point, ring.radius, b)),
                      vec(along(ring.point, ring.radius, c)));
-    return;
-  }
-  const Point ab = unit(along(a, 1.0, b)), bc = unit(along(b, 1.0, c)), ca = unit(along(c, 1.0, a));
-  add_patch(mesh, ring, a, ab, ca, levels - 1);
-  add_patch(mesh, ring, ab, b, bc, levels - 1);
-  add_patch(mesh, ring, ca, bc, c, levels - 1);
-  add_patch(mesh, ring, ab, bc, ca, levels - 1);
-}
-
-void add_sphere(btTriangleMesh& mesh, const Piece& ring) {
-  const double g = std::numbers::phi;
-  const Point corner[12] = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
-                            {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
-  constexpr int face[20][3] = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-                               {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
-                               {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
-  for (const auto& f : face)
-    add_patch(mesh, ring, unit(corner[f[0]]), unit(corner[f[1]]), unit(corner[f[2]]), bullet_ring_levels);
 }
 
 }  // namespace

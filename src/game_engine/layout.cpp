@@ -135,7 +135,7 @@ class LayoutMaker {
     p.point = place(plane.point);
     p.velocity = speed(plane.velocity);
     for (int k = 0; k < D; ++k) p.normal[static_cast<std::size_t>(k)] = plane.direction[k];
-    p.half_length = -1.0;  // not known before the extent of the scene is
+    p.endless = true;
     layout_.pieces.push_back(p);
   }
   /// The ends of edge e of a wall of n edges are its features n + e and n + e + 1, the last being n again in a closed one.
@@ -173,15 +173,17 @@ class LayoutMaker {
       layout_.fastest = std::max(layout_.fastest, norm(b.velocity));
       reach(b.position, b.radius);
     }
+    if (world_.space.kind != SpaceKind::open) {
+      reach(place(world_.space.lower), 0.0);
+      reach(place(world_.space.lower + world_.space.edge), 0.0);
+    }
     for (const Piece& p : layout_.pieces) {
       layout_.fastest = std::max(layout_.fastest, norm(p.velocity));
-      reach(p.point, std::max(p.radius, p.half_length));
+      reach(p.point, p.radius);
       if (p.kind == PieceKind::segment) reach(p.to, 0.0);
     }
     for (Piece& p : layout_.pieces)
-      if (p.kind == PieceKind::half_space)
-        p.half_length =
-            p.half_length < 0 ? layout_.extent + 1024 * layout_.largest_radius : p.half_length + 4 * layout_.largest_radius;
+      p.half_length += p.endless ? layout_.extent + 1024 * layout_.largest_radius : 4 * layout_.largest_radius;
   }
 
   const World<double, D>& world_;

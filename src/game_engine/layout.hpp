@@ -42,6 +42,7 @@ struct Piece {
   std::int32_t point_feature = 0, to_feature = 0;  ///< segment: of its ends
   Point normal{};                                  ///< half_space: a unit vector to the balls' side
   double half_length = 0.0;  ///< half_space: how far a line that stands for it goes on, to both sides of `point`
+  bool endless = false;      ///< half_space: of a plane, not of a face
   double radius = 0.0;       ///< disc, ring
   Point velocity{};
 };

@@ -7,13 +7,14 @@
 
 #include "adapters.hpp"
 #include "registry.hpp"
+#include "sphere_mesh.hpp"
 
 namespace carom::game_engine {
 
 namespace {
 
-/// Coordinates beyond 2^40 of the engine's units, squared twice, would leave the range of its floats.
-constexpr double largest_extent = 0x1p40;
+/// Coordinates and speeds whose squares and products stay within the range of floats.
+constexpr double largest_extent = 0x1p40, largest_speed = 0x1p60;
 
 bool has(const Layout& layout, PieceKind kind) {
   return std::any_of(layout.pieces.begin(), layout.pieces.end(), [&](const Piece& p) { return p.kind == kind; });
@@ -54,7 +55,7 @@ void sizes(Sentences& s, const Layout& layout, const EngineFacts& facts) {
   if (layout.acceleration != Point{})
     s.say("{} integrates the acceleration by semi-implicit Euler steps: v += a dt, then x += v dt.", facts.title);
   if (has(layout, BodyKind::driven))
-    s.say("Balls of infinite mass are moved on their parabola, and pass through walls and each other.");
+    s.say("In {} balls of infinite mass are moved on their parabola, and pass through walls and each other.", facts.title);
 }
 
 void box2d(Sentences& s, const Layout& layout) {
@@ -62,10 +63,9 @@ void box2d(Sentences& s, const Layout& layout) {
     s.say("Box2D gives restitution 0 to what approaches more slowly than {} (1 m/s), unless `threshold` is set.",
           s.user(1.0));
   s.say("Box2D leaves overlaps of up to {} (0.005 m).", s.user(0.005));
-  s.say(
-      "Box2D moves no ball by more than {} (2 m) in a step, and slows down what is faster; the fastest here at the start "
-      "needs a step of at most {:.4g}.",
-      s.user(2.0), layout.fastest > 0 ? 2.0 / layout.fastest : INFINITY);
+  s.say("Box2D moves no ball by more than {} (2 m) in a step, and slows down for good what is faster{}.", s.user(2.0),
+        layout.fastest > 0 ? fmt::format(": the fastest of the start needs a step of at most {:.4g}", 2.0 / layout.fastest)
+                           : "");
   if (layout.bodies.size() > 1)
     s.say(
         "Box2D has no continuous detection between two balls, unless `continuous` is set; against walls and fixed balls it "
@@ -89,7 +89,11 @@ void bullet(Sentences& s, const Layout& layout) {
           s.user(0.2));
     s.say("With `continuous`, Bullet gives restitution 0 to the contacts that it predicts.");
   }
-  s.say("Bullet acts on balls that come closer than {} (0.02 m) before they touch.", s.user(0.02));
+  if (has(layout, PieceKind::half_space) || has(layout, PieceKind::segment) || has(layout, PieceKind::ring))
+    s.say(
+        "Bullet acts from a distance of {} (0.02 m) at walls: a ball that a step leaves at a gap g within it loses the "
+        "speed g / dt of its bounce.",
+        s.user(0.02));
   s.say(
       "Bullet has no continuous detection, unless `continuous` is set; it then sweeps a sphere of 0.4 radii against all "
       "others as if they stood still.");
@@ -99,13 +103,12 @@ void bullet(Sentences& s, const Layout& layout) {
 
 void shapes(Sentences& s, const Layout& layout, const EngineFacts& facts) {
   for (const Piece& p : layout.pieces) {
-    if (p.kind == PieceKind::half_space && facts.dimension == 2 && p.feature == 0 &&
-        p.half_length > layout.extent + 8 * layout.largest_radius)
+    if (p.kind == PieceKind::half_space && layout.dimension == 2 && facts.dimension == 2 && p.endless)
       s.say("Wall {} is a line in {} that ends {} to both sides of its point.", p.wall, facts.title, s.user(p.half_length));
     if (p.kind != PieceKind::ring) continue;
     if (layout.dimension == 3) {
       s.say("Wall {}, a sphere from inside, is {} triangles in {}, up to {} inside of it.", p.wall,
-            20 << (2 * bullet_ring_levels), facts.title, s.user(p.radius * bullet_ring_sagitta));
+            20 << (2 * bullet_ring_levels), facts.title, s.user(p.radius * sphere_mesh_depth(bullet_ring_levels)));
     } else {
       const double depth = facts.dimension == 3 ? bullet_ring_depth : facts.floats ? box2d_ring_depth : chipmunk_ring_depth;
       const int n = ring_edges(p.radius, depth);
@@ -128,6 +131,8 @@ std::vector<std::string> refusals(const Layout& layout, std::size_t number) {
   if (!layout.bodies.empty() && layout.smallest_radius == 0) s.say("{} has no balls of radius 0.", facts.title);
   if (layout.extent > largest_extent)
     s.say("Coordinates of {} are too large for {} beside such small balls.", s.user(layout.extent), facts.title);
+  if (layout.fastest > largest_speed)
+    s.say("Speeds of {} are too large for {} beside such small balls.", s.user(layout.fastest), facts.title);
   return s.all;
 }
 
