@@ -89,6 +89,8 @@ void bullet(Sentences& s, const Layout& layout) {
           s.user(0.2));
     s.say("With `continuous`, Bullet gives restitution 0 to the contacts that it predicts.");
   }
+  s.say("Bullet takes back overlaps of up to {} (0.04 m) by adding 0.2 overlap / dt to the speed of the bounce.",
+        s.user(0.04));
   if (has(layout, PieceKind::half_space) || has(layout, PieceKind::segment) || has(layout, PieceKind::ring))
     s.say(
         "Bullet acts from a distance of {} (0.02 m) at walls: a ball that a step leaves at a gap g within it loses the "

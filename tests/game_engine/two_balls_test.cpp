@@ -120,6 +120,22 @@ TEST_P(TwoBalls, of_infinite_mass_are_not_moved_by_others) {
   EXPECT_EQ(fall.balls[2].position, (std::vector{20.0, 0.0}));
 }
 
+// Steps of 1/256 at speed 4 end with an overlap of 1/128: the bounce is faster by 0.2 (1/128) 256 = 0.4, shared by both.
+TEST(BulletPair, is_driven_apart_by_its_overlap) {
+  CAROM_SKIP_UNLESS_BUILT("bullet");
+  const EngineRun run = run_engine("bullet", R"(
+    run.until = 1
+    [[ball]]
+    position = [0, 0]
+    velocity = [4, 0]
+    [[ball]]
+    position = [2.5078125, 0])",
+                                   1.0 / 256, 128);
+  EXPECT_EQ(run.collisions.at(0).overlap, 1.0 / 128);
+  EXPECT_NEAR(run.balls[0].velocity[0], -0.2, 1e-5);
+  EXPECT_NEAR(run.balls[1].velocity[0], 4.2, 1e-5);
+}
+
 // Ten balls run into one another in the open: the sum of m v stays. Errors seen, of sum m |v|: 4e-8 in Bullet, 2e-8
 // in Box2D, none in Chipmunk.
 TEST_P(TwoBalls, and_more_keep_momentum) {
