@@ -38,6 +38,8 @@ inline EngineRun run_engine(std::string_view engine, std::string_view scene, dou
   return run;
 }
 
+inline std::vector<double> doubles(const auto& numbers) { return {numbers.begin(), numbers.end()}; }
+
 inline bool built(std::string_view name) {
   for (const GameEngine& e : game_engines())
     if (e.name == name) return e.built;
