@@ -13,8 +13,8 @@ namespace carom::game_engine {
 
 namespace {
 
-/// Coordinates and speeds whose squares and products stay within the range of floats.
-constexpr double largest_extent = 0x1p40, largest_speed = 0x1p60;
+/// Coordinates, speeds and masses whose squares, inverses and products stay within the range of floats.
+constexpr double largest_extent = 0x1p40, largest_speed = 0x1p60, largest_mass = 0x1p60;
 
 bool has(const Layout& layout, PieceKind kind) {
   return std::any_of(layout.pieces.begin(), layout.pieces.end(), [&](const Piece& p) { return p.kind == kind; });
@@ -135,6 +135,11 @@ std::vector<std::string> refusals(const Layout& layout, std::size_t number) {
     s.say("Coordinates of {} are too large for {} beside such small balls.", s.user(layout.extent), facts.title);
   if (layout.fastest > largest_speed)
     s.say("Speeds of {} are too large for {} beside such small balls.", s.user(layout.fastest), facts.title);
+  for (const Body& b : layout.bodies) {
+    if (b.kind != BodyKind::dynamic || (b.mass < largest_mass && b.mass > 1 / largest_mass)) continue;
+    s.say("A mass of {:.4g} is too far from the median mass for {}.", std::ldexp(b.mass, -layout.mass), facts.title);
+    break;
+  }
   return s.all;
 }
 

@@ -36,6 +36,8 @@ TEST(Limits, refuse_what_an_engine_does_not_have) {
     EXPECT_THAT(refused(ball + "[[ball]]\nposition = [3, 3]\nradius = 0\n", e.name),
                 ElementsAre(HasSubstr("no balls of radius 0")));
     EXPECT_THAT(refused(ball + "[[ball]]\nposition = [1e15, 3]\n", e.name), ElementsAre(HasSubstr("too large")));
+    EXPECT_THAT(refused("run.until = 1\n[[ball]]\nposition = [1, 1]\n[[ball]]\nposition = [9, 3]\nmass = 1e-30\n", e.name),
+                ElementsAre(HasSubstr("A mass of 1e-30 is too far")));
     EXPECT_THAT(refused("run.until = 1e-6\n[[ball]]\nposition = [9, 3]\nvelocity = [2e18, 0]\n", e.name),
                 ElementsAre(HasSubstr(e.name == "chipmunk" ? "Speeds of 2e+18 are too large for Chipmunk" : "Speeds of")));
   }
