@@ -77,7 +77,7 @@ class Comparer {
     look_every_ = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(places / places_looked_at)));
     const std::int64_t apart = errors_reported * look_every_;
     report_every_ = look_every_ * ((settings.steps + apart - 1) / apart);
-    result_.averaged_from = start_;
+    result_.start = result_.averaged_from = start_;
   }
 
   Comparison operator()() {

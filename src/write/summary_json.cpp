@@ -1,7 +1,7 @@
 #include "carom/write/summary_json.hpp"
 
 #include "carom/write/number_text.hpp"
-#include "json_text.hpp"
+#include "summary_object.hpp"
 
 namespace carom {
 
@@ -76,7 +76,7 @@ Json final_state(const std::vector<BallState>& balls) {
 
 }  // namespace
 
-std::string summary_json(const RunReport& report) {
+Json summary_object(const RunReport& report) {
   const Summary& s = report.summary;
   Json j{{"title", s.title},
          {"dimension", s.dimension},
@@ -98,7 +98,9 @@ std::string summary_json(const RunReport& report) {
   j["seconds"] = report.seconds;
   j["collisions_per_second"] = report.collisions_per_second();
   j["peak_memory_mb"] = report.peak_memory_mb;
-  return json_text(j);
+  return j;
 }
+
+std::string summary_json(const RunReport& report) { return json_text(summary_object(report)); }
 
 }  // namespace carom

@@ -35,7 +35,8 @@ struct Averages {
 /// than 10^7 places of balls, evenly chosen ones. Only up to there meetings and places are those of the same run. What is
 /// compared beyond is what does not depend on the path: conserved quantities, and averages.
 struct Comparison {
-  double time = 0.0;  ///< at the end of the last step
+  double start = 0.0;  ///< [time]
+  double time = 0.0;   ///< at the end of the last step
   std::int64_t steps = 0;
   std::int64_t collisions = 0;   ///< contacts with an impulse, all of them
   Tally tally;                   ///< up to where they parted, else to the end; two steps and `delay` of allowance
@@ -58,6 +59,9 @@ struct Comparison {
 
   double seconds = 0.0;      ///< [s] wall time of the steps alone
   bool interrupted = false;  ///< then the rest means nothing
+
+  /// [s/time] wall time of a unit of the scene's time.
+  [[nodiscard]] double seconds_per_time() const noexcept { return seconds / (time - start); }
 };
 
 /// `stepper` is at the start of the scene that `course` is of.

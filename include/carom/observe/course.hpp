@@ -37,7 +37,9 @@ class Course {
   /// Collisions neither dissipated nor injected energy: it is that of the start at all times.
   [[nodiscard]] bool keeps_energy() const noexcept { return keeps_energy_; }
   /// Nothing in the scene changes the sum of the momenta.
-  [[nodiscard]] bool keeps_momentum() const { return !subject_.has_obstacles() && !subject_.accelerated(); }
+  [[nodiscard]] bool keeps_momentum() const {
+    return subject_.space != SpaceKind::box && !subject_.has_obstacles() && !subject_.accelerated();
+  }
 
   /// Number of meetings up to and including time t.
   [[nodiscard]] std::int64_t meetings_until(double t) const;
