@@ -62,6 +62,24 @@ struct Mean {
   [[nodiscard]] double value() const { return count > 0 ? sum / static_cast<double>(count) : nan; }
 };
 
+/// How far a quantity is off: at the last look, and on the average of the looks up to where the runs part.
+class Balance {
+ public:
+  void note(double off, bool together) {
+    last_ = off;
+    if (together) together_.add(off);
+  }
+  [[nodiscard]] double error(bool at_the_end, double size) const {
+    if (!at_the_end && together_.count < 2) return nan;  // the first look is at the start
+    const double off = at_the_end ? last_ : together_.value();
+    return off == 0 ? 0.0 : off / size;
+  }
+
+ private:
+  double last_ = 0.0;
+  Mean together_;
+};
+
 class Comparer {
  public:
   Comparer(const Course& course, const Enclosures& enclosures, Stepper& stepper, const ComparisonSettings& settings)
@@ -144,9 +162,8 @@ class Comparer {
     kinetic_here_.add(now.here.kinetic);
     kinetic_exact_.add(now.exact.kinetic);
     const bool together = !result_.diverged_at;
-    if (together) last_together_ = now.time;
-    if (course_.keeps_energy() || together) energy_off_ = std::abs(now.here.energy() - now.exact.energy());
-    if (course_.keeps_momentum() || together) momentum_off_ = length(difference(now.here.momentum, now.exact.momentum));
+    energy_.note(std::abs(now.here.energy() - now.exact.energy()), together);
+    momentum_.note(length(difference(now.here.momentum, now.exact.momentum)), together);
     result_.position_error = now.position_error;
     result_.time = now.time;
   }
@@ -171,14 +188,12 @@ class Comparer {
                           {result_.diverged_at.value_or(result_.time), allowance + settings_.delay, allowance}, obstacle_);
     for (const BallState& state : states_)
       if (enclosures_.escaped(state.index, triple(state.position), result_.time - start_)) ++result_.escaped;
-    const bool never_together = result_.diverged_at && last_together_ <= start_;
-    result_.energy_error = never_together && !course_.keeps_energy() ? nan : share(energy_off_, largest_kinetic_);
-    result_.momentum_error = never_together && !course_.keeps_momentum() ? nan : share(momentum_off_, largest_momentum_);
+    const bool to_the_end = !result_.diverged_at;
+    result_.energy_error = energy_.error(course_.keeps_energy() || to_the_end, largest_kinetic_);
+    result_.momentum_error = momentum_.error(course_.keeps_momentum() || to_the_end, largest_momentum_);
     result_.here = averages(meetings_, kinetic_here_);
     result_.exact = averages(course_.meetings(), kinetic_exact_);
   }
-
-  [[nodiscard]] static double share(double error, double size) { return error == 0 ? 0.0 : error / size; }
 
   [[nodiscard]] Averages averages(const Meetings& meetings, const Mean& kinetic) const {
     Averages a;
@@ -204,7 +219,8 @@ class Comparer {
   std::int64_t look_every_ = 1, report_every_ = 1;  // [steps]
   Meetings meetings_;
   std::vector<BallState> states_;
-  double largest_kinetic_ = 0.0, largest_momentum_ = 0.0, energy_off_ = 0.0, momentum_off_ = 0.0, last_together_ = 0.0;
+  double largest_kinetic_ = 0.0, largest_momentum_ = 0.0;
+  Balance energy_, momentum_;
   Mean kinetic_here_, kinetic_exact_;
   Comparison result_;
 };

@@ -62,6 +62,7 @@ void ComparisonCsv::write(const ComparisonRow& row) {
   append_averages(line, c.here);
   append_averages(line, c.exact);
   file_.end_line();
+  file_.flush();  // a row may take long, and be looked at
 }
 
 PositionErrorCsv::PositionErrorCsv(std::string path) : file_(std::move(path)) {

@@ -50,16 +50,16 @@ std::string what_happened(const std::vector<ComparisonRow>& rows) {
 }
 
 std::string how_far_off(const std::vector<ComparisonRow>& rows) {
-  std::vector<Line> lines{{"error of", "dt", "position", "energy", "momentum", "| of the exact:", "collision rate",
-                           "kinetic energy", "wall impulse"}};
+  std::vector<Line> lines{
+      {"", "dt", "position error", "energy error", "momentum error", "rate ratio", "energy ratio", "pressure ratio"}};
   for (const ComparisonRow& row : rows) {
     const Comparison& c = row.result;
     lines.push_back({row.name(), number_text(row.dt), size(c.position_error), size(c.energy_error), size(c.momentum_error),
-                     "|", ratio(c.here.collision_rate, c.exact.collision_rate),
+                     ratio(c.here.collision_rate, c.exact.collision_rate),
                      ratio(c.here.kinetic_energy, c.exact.kinetic_energy),
                      ratio(c.here.wall_impulse_rate, c.exact.wall_impulse_rate)});
   }
-  return aligned(lines);
+  return aligned(lines) + "  ratios: averages over those of the exact run, from where they parted, or the start\n";
 }
 
 std::string what_it_took(const ComparisonReport& report) {

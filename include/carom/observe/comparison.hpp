@@ -44,9 +44,10 @@ struct Comparison {
   double deepest_overlap = 0.0;  ///< [length] of all contacts reported
   double position_error = 0.0;   ///< [length] largest distance of a ball from its place in the exact run, at the end
 
-  /// |E - E_exact| over the largest kinetic energy of the exact run, E kinetic and potential at the same moment:
-  /// dissipation that the exact run has too is no error. At the end, if the exact run keeps its energy or they never
-  /// parted; else the last time looked at before; NaN if there was none after the start.
+  /// |E - E_exact| over the largest kinetic energy of the exact run, E kinetic and potential at the same moment: dissipation
+  /// that the exact run has too is no error. If the exact run keeps its energy, or they never parted: at the end. Else the
+  /// mean over the times looked at until they parted: at one moment a collision may be under way in one run and done in
+  /// the other. NaN if there was none after the start.
   double energy_error = 0.0;
   /// The same of the momentum, |P - P_exact| over the largest sum of m|v| of the exact run.
   double momentum_error = 0.0;

@@ -26,6 +26,9 @@ class OutputFile {
   [[nodiscard]] std::string& line() noexcept { return buffer_; }
   void end_line();
 
+  /// Hands on what is complete, for who reads while it is written.
+  void flush();
+
   /// Whether a write has failed. What comes after is dropped.
   [[nodiscard]] bool failed() const noexcept { return error_ != 0; }
 
@@ -35,8 +38,6 @@ class OutputFile {
   [[nodiscard]] const std::string& path() const noexcept { return path_; }
 
  private:
-  void flush();
-
   std::string path_;
   std::string buffer_;
   std::FILE* file_ = nullptr;
