@@ -24,6 +24,7 @@ class Parser {
     program_.footer("Example:\n  carom new break_shot && carom run break_shot.toml\n\nEvery command has --help.");
     run_command_ = add_run_command(program_, run_);
     check_command_ = add_check_command(program_, check_);
+    compare_command_ = add_compare_command(program_, compare_);
     explain_command_ = add_explain_command(program_, explain_);
     new_command_ = add_new_command(program_, new_);
   }
@@ -38,14 +39,15 @@ class Parser {
     }
     if (run_command_->parsed()) return run_;
     if (check_command_->parsed()) return check_;
+    if (compare_command_->parsed()) return compare_;
     if (explain_command_->parsed()) return explain_;
     if (new_command_->parsed()) return new_;
     return Answer{ExitStatus::wrong_input, "carom: a command is missing. See carom --help\n"};
   }
 
  private:
-  [[nodiscard]] std::array<const CLI::App*, 4> commands() const {
-    return {run_command_, check_command_, explain_command_, new_command_};
+  [[nodiscard]] std::array<const CLI::App*, 5> commands() const {
+    return {run_command_, check_command_, compare_command_, explain_command_, new_command_};
   }
 
   [[nodiscard]] bool known(const std::string& word) const {
@@ -76,9 +78,10 @@ class Parser {
   CLI::App program_;
   RunOptions run_;
   CheckOptions check_;
+  CompareOptions compare_;
   ExplainOptions explain_;
   NewOptions new_;
-  CLI::App *run_command_, *check_command_, *explain_command_, *new_command_;
+  CLI::App *run_command_, *check_command_, *compare_command_, *explain_command_, *new_command_;
 };
 
 ExitStatus carry_out(const Answer& answer, const Console& console) {
@@ -87,6 +90,7 @@ ExitStatus carry_out(const Answer& answer, const Console& console) {
 }
 ExitStatus carry_out(const RunOptions& options, const Console& console) { return run(options, console); }
 ExitStatus carry_out(const CheckOptions& options, const Console& console) { return check(options, console); }
+ExitStatus carry_out(const CompareOptions& options, const Console& console) { return compare(options, console); }
 ExitStatus carry_out(const ExplainOptions& options, const Console& console) { return explain(options, console); }
 ExitStatus carry_out(const NewOptions& options, const Console& console) { return new_scene(options, console); }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "check_command.hpp"
+#include "compare_command.hpp"
 #include "console.hpp"
 #include "exit_status.hpp"
 #include "explain_command.hpp"
@@ -20,7 +21,7 @@ struct Answer {
   std::string text;
 };
 
-using Command = std::variant<Answer, RunOptions, CheckOptions, ExplainOptions, NewOptions>;
+using Command = std::variant<Answer, RunOptions, CheckOptions, CompareOptions, ExplainOptions, NewOptions>;
 
 /// `words` are the arguments without the program's name.
 [[nodiscard]] Command parse(const std::vector<std::string>& words);

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "carom/game_engine/game_engine.hpp"
 #include "carom/sim/simulation.hpp"
 #include "carom/write/number_text.hpp"
 #include "model.hpp"
@@ -23,6 +24,23 @@ std::string space_text(const SpaceSpec& space) {
   return "";
 }
 
+/// Sentences of a list stand without a full stop.
+std::vector<std::string> without_stops(std::vector<std::string> sentences) {
+  for (std::string& s : sentences)
+    if (s.ends_with('.')) s.pop_back();
+  return sentences;
+}
+
+Json engines(const Scene& scene) {
+  Json list = Json::array();
+  for (const GameEngine& e : game_engines())
+    list.push_back({{"name", e.name},
+                    {"version", e.built ? Json(e.version) : Json(nullptr)},
+                    {"package", e.package},
+                    {"not_represented", without_stops(cannot_represent(scene, e.name))}});
+  return list;
+}
+
 Json facts(const Scene& scene, const Simulation& simulation) {
   const Composition& c = simulation.composition();
   const double epoch = simulation.epoch_length();
@@ -37,7 +55,9 @@ Json facts(const Scene& scene, const Simulation& simulation) {
           {"time_resolution", epoch * 0x1p-53},
           {"collisions", collision_rules(scene)},
           {"not_modelled", not_modelled(scene)},
-          {"limits", limits(scene)}};
+          {"limits", limits(scene)},
+          {"not_by_steps", limits_of_steps(scene, simulation.balls())},
+          {"engines", engines(scene)}};
 }
 
 void print_list(std::ostream& out, const char* heading, const Json& sentences) {
@@ -64,6 +84,13 @@ void print(std::ostream& out, const Json& f, double epoch) {
   print_list(out, "Collisions", f["collisions"]);
   print_list(out, "Not modelled", f["not_modelled"]);
   print_list(out, "Limits", f["limits"]);
+  print_list(out, "Not given by time steps (carom compare)", f["not_by_steps"]);
+  for (const Json& e : f["engines"]) {
+    const std::string name = e["name"];
+    const std::string built = e["version"].is_null() ? ", not built: needs " + e["package"].get<std::string>()
+                                                     : " " + e["version"].get<std::string>();
+    print_list(out, ("Not represented by " + name + built).c_str(), e["not_represented"]);
+  }
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include "model.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include <fmt/core.h>
 
@@ -107,6 +109,41 @@ std::vector<std::string> limits(const Scene& scene) {
         "restitution below 1: infinitely many impacts in finite time (inelastic collapse, a ball that comes to rest) "
         "end the run with status 3");
   }
+  return list;
+}
+
+std::vector<std::string> limits_of_steps(const Scene& scene, const std::vector<BallState>& start) {
+  if (scene.collision.law != LawKind::restitution)
+    return {"balls that stick or merge: the fixed-step mode has the law \"restitution\" alone, and compare needs it"};
+  std::vector<std::string> list{
+      "the order of collisions within a step (all methods but swept:substeps take them as they come), and what follows"};
+  double fastest = 0, smallest = std::numeric_limits<double>::infinity();
+  bool points = false;
+  for (const BallState& b : start) {
+    double square = 0;
+    for (const double v : b.velocity) square += v * v;
+    fastest = std::max(fastest, std::sqrt(square));
+    if (b.radius > 0) smallest = std::min(smallest, b.radius);
+    points = points || b.radius == 0;
+  }
+  // Two balls of radius r overlap along 4 r of a head-on path, which closes at 2 v.
+  if (start.size() > 1 && fastest > 0 && std::isfinite(smallest))
+    list.push_back(
+        fmt::format("discrete, penalty: all head-on hits only below dt = 2 r/v = {:.3g}, with the smallest radius and the "
+                    "largest speed of "
+                    "the start; grazing hits overlap for shorter than any step",
+                    2 * smallest / fastest));
+  const bool two_sided = std::any_of(scene.walls.begin(), scene.walls.end(), [](const WallSpec& w) {
+    return w.kind == WallKind::segment || w.kind == WallKind::polygon;
+  });
+  if (points && two_sided)
+    list.push_back(
+        "discrete, penalty: balls of radius 0 at segments and polygons, which they pass without ever overlapping");
+  const auto& g = scene.motion.acceleration;
+  if (std::any_of(g.begin(), g.end(), [](const Number& a) { return a != 0.0; }))
+    list.push_back(
+        "a parabola: semi-implicit Euler is g t dt/2 off after a time t (penalty: velocity Verlet, exact between "
+        "contacts)");
   return list;
 }
 

@@ -36,17 +36,30 @@ double Progress::fraction_done(const Simulation& simulation) const {
   return done;
 }
 
-void Progress::show(const Simulation& simulation) {
-  if (screen_ == nullptr) return;
+bool Progress::due() {
+  if (screen_ == nullptr) return false;
   const double now = seconds();
-  if (now < std::max(first_shown, shown_at_ + shown_every)) return;
+  if (now < std::max(first_shown, shown_at_ + shown_every)) return false;
   shown_at_ = now;
-  const std::int64_t collisions = simulation.counts().collisions();
-  const double done = fraction_done(simulation);
-  *screen_ << fmt::format("\r\x1b[K{} events, time {:.6g}, {:.3g} collisions/s", collisions, simulation.time(),
-                          static_cast<double>(collisions) / now);
-  if (done > 0) *screen_ << fmt::format(", {} left", duration(now * (1 - done) / done));
+  return true;
+}
+
+void Progress::write(const std::string& text, double done) const {
+  *screen_ << "\r\x1b[K" << text;
+  if (done > 0) *screen_ << fmt::format(", {} left", duration(shown_at_ * (1 - done) / done));
   *screen_ << std::flush;
+}
+
+void Progress::show(const Simulation& simulation) {
+  if (!due()) return;
+  const std::int64_t collisions = simulation.counts().collisions();
+  write(fmt::format("{} events, time {:.6g}, {:.3g} collisions/s", collisions, simulation.time(),
+                    static_cast<double>(collisions) / shown_at_),
+        fraction_done(simulation));
+}
+
+void Progress::show(const std::string& what, double share) {
+  if (due()) write(fmt::format("{}: {:.0f} %", what, 100 * share), share);
 }
 
 }  // namespace carom::app

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <ostream>
+#include <string>
 
 #include "carom/scene/scene.hpp"
 #include "carom/sim/simulation.hpp"
@@ -18,12 +19,16 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
 
   void show(const Simulation& simulation);
+  /// `share` of `what` is done, 0..1.
+  void show(const std::string& what, double share);
 
   [[nodiscard]] double seconds() const;  ///< [s] since construction
 
  private:
   using Clock = std::chrono::steady_clock;
 
+  [[nodiscard]] bool due();
+  void write(const std::string& text, double done) const;
   [[nodiscard]] double fraction_done(const Simulation& simulation) const;
 
   std::ostream* screen_;

@@ -1,7 +1,5 @@
 #include "run_command.hpp"
 
-#include <sys/resource.h>
-
 #include <cmath>
 
 #include <fmt/core.h>
@@ -15,6 +13,7 @@
 #include "carom/write/summary_table.hpp"
 #include "checkpoints.hpp"
 #include "interrupt.hpp"
+#include "peak_memory.hpp"
 #include "progress.hpp"
 #include "run_outputs.hpp"
 #include "run_to_the_end.hpp"
@@ -24,12 +23,6 @@ namespace carom::app {
 namespace {
 
 constexpr std::int64_t shown_balls = 20;  // the table for people lists the balls of scenes up to this size
-
-double peak_memory_mb() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024;  // KiB on Linux
-}
 
 /// Runs, and fills the files as it goes. A write that fails ends the run.
 RunReport carry_out(Simulation& simulation, const Scene& scene, Observers& observers, RunOutputs& outputs,

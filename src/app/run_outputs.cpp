@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "carom/core/error.hpp"
+#include "output_folder.hpp"
 
 namespace carom::app {
 
@@ -21,14 +22,6 @@ fs::path place(const Scene& scene, const std::string& folder, const std::string&
     throw InputError(Problem{scene.file, scene.output.where.line, std::string(key) + " is the scene file itself",
                              "it would be overwritten", "Choose another name, or write elsewhere with --out"});
   return path;
-}
-
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error || !fs::is_directory(folder, error))
-    throw OutputError("cannot make the folder \"" + folder.string() + "\": " +
-                      (error ? error.message() : std::string("something else has that name")) + ". Choose another --out.");
 }
 
 }  // namespace

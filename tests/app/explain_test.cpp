@@ -34,6 +34,21 @@ TEST(Explain, prints_json) {
   EXPECT_FALSE(j["not_modelled"].empty());
 }
 
+// Two balls of radius 1/2 at speed 1: 2 r/v = 1.
+TEST(Explain, says_what_steps_and_engines_leave_out) {
+  const Folder folder;
+  folder.write("a.toml", test::head_on(2));
+  EXPECT_THAT(carom(folder, {"explain", "a.toml"}).out,
+              testing::AllOf(HasSubstr("2 r/v = 1,"), HasSubstr("by box2d"), HasSubstr("by chipmunk"),
+                             HasSubstr("by bullet"), testing::Not(HasSubstr("parabola"))));
+  EXPECT_THAT(carom(folder, {"explain", "a.toml", "--set", "motion.acceleration=[0,-1]"}).out, HasSubstr("parabola"));
+  const auto j =
+      nlohmann::json::parse(carom(folder, {"explain", "a.toml", "--json", "--set", "collision.law=\"merge\""}).out);
+  EXPECT_THAT(j["not_by_steps"][0], HasSubstr("merge"));
+  EXPECT_EQ(j["engines"].size(), 3u);
+  for (const auto& engine : j["engines"]) EXPECT_FALSE(engine["not_represented"].empty());
+}
+
 TEST(Explain, refuses_a_wrong_scene) {
   const Folder folder;
   folder.write("a.toml", test::head_on(2));
