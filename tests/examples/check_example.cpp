@@ -1,8 +1,9 @@
 // check_example PROGRAM FOLDER OUT: runs FOLDER/scene.toml as FOLDER/expected.json says, and compares.
 //
-// expected.json holds {"runs": [{"arguments": [..], "status": 0, "values": {POINTER: EXPECTED, ..}}, ..]}. A POINTER
-// (RFC 6901) names a value of the summary that `carom run --json --final` prints; EXPECTED is a value (equal to the last
-// bit), [value, tolerance], or {"at_least": .., "at_most": ..}. A run of status 2 must print nothing on stdout.
+// expected.json holds {"runs": [{"command": "run", "arguments": [..], "status": 0, "values": {POINTER: EXPECTED, ..}}, ..]}.
+// A POINTER (RFC 6901) names a value of what `carom run --json --final`, or another command with --json, prints; EXPECTED is
+// a value (equal to the last bit), [value, tolerance], or {"at_least": .., "at_most": ..}. A run of status 2 must print
+// nothing on stdout.
 
 #include <sys/wait.h>
 
@@ -52,7 +53,9 @@ bool agrees(const json& found, const json& expected) {
 }
 
 int differences(const std::string& program, const std::string& folder, const std::string& out, const json& wanted) {
-  std::string command = quoted(program) + " run " + quoted(folder + "/scene.toml") + " --json --final --out " + quoted(out);
+  const std::string name = wanted.value("command", "run");
+  std::string command = quoted(program) + ' ' + name + ' ' + quoted(folder + "/scene.toml") + " --json";
+  if (name == "run") command += " --final --out " + quoted(out);
   for (const json& argument : wanted.value("arguments", json::array())) command += ' ' + quoted(argument);
   const Finished finished = run(command);
   int count = 0;
