@@ -47,6 +47,14 @@ struct Files {
   }
 };
 
+void spare_the_scene(const std::filesystem::path& folder, const std::string& scene) {
+  std::error_code ignored;
+  for (const char* name : {"events.csv", "rows.csv", "position_error.csv"})
+    if (std::filesystem::equivalent(folder / name, scene, ignored))
+      throw InputError(
+          Problem{scene, 0, std::string("--out would overwrite the scene file with ") + name, "", "Choose another folder"});
+}
+
 /// Steps of length dt whose ends reach `end`, at least one.
 std::int64_t steps_to(const Number& end, const Number& start, const Number& dt) {
   const Rational q = (exact(end) - exact(start)) / exact(dt);
@@ -80,6 +88,7 @@ class Comparing {
         course_(scene, simulation_),
         enclosures_(scene, course_.subject(), places()) {
     if (options.out.empty()) return;
+    spare_the_scene(options.out, scene.file);
     make_folder(options.out);
     files_.emplace(options.out, simulation_, scene.title);
   }

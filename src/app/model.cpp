@@ -123,7 +123,7 @@ std::vector<std::string> limits_of_steps(const Scene& scene, const std::vector<B
     double square = 0;
     for (const double v : b.velocity) square += v * v;
     fastest = std::max(fastest, std::sqrt(square));
-    if (b.radius > 0) smallest = std::min(smallest, b.radius);
+    if (b.radius > 0) smallest = std::min(smallest, b.radius.value);
     points = points || b.radius == 0;
   }
   // Two balls of radius r overlap along 4 r of a head-on path, which closes at 2 v.

@@ -14,7 +14,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double places_looked_at = 1e7;        // of balls, before the runs part
 constexpr std::int64_t errors_reported = 1000;  // places in time
 
-Triple triple(const std::vector<double>& components) {
+Triple triple(const std::vector<Number>& components) {
   Triple t{};
   std::copy_n(components.begin(), std::min<std::size_t>(3, components.size()), t.begin());
   return t;
@@ -199,7 +199,8 @@ class Comparer {
     Averages a;
     const double span = result_.time - result_.averaged_from;
     for (const Meeting& m : meetings) {
-      if (m.time <= result_.averaged_from || m.time > result_.time) continue;
+      const bool before = result_.diverged_at ? m.time <= result_.averaged_from : m.time < result_.averaged_from;
+      if (before || m.time > result_.time) continue;
       a.collision_rate += 1;
       (m.kind == EventKind::ball_ball ? a.ball_impulse_rate : a.wall_impulse_rate) += m.impulse;
     }

@@ -35,6 +35,20 @@ TEST(CommandLine, reads_the_other_commands) {
   EXPECT_EQ(std::get<NewOptions>(parse({"new", "a", "--out", "b"})).out, "b");
 }
 
+TEST(CommandLine, reads_every_option_of_compare) {
+  const Command c = parse({"compare", "a.toml", "--dt", "1e-2,1/300", "--method", "swept,penalty:steps=10", "--engine",
+                           "box2d:continuous", "--until", "3", "--set", "a=1", "--out", "d", "--json"});
+  const auto& compare = std::get<CompareOptions>(c);
+  EXPECT_EQ(compare.scene.file, "a.toml");
+  EXPECT_EQ(compare.dt, "1e-2,1/300");
+  EXPECT_EQ(compare.methods, "swept,penalty:steps=10");
+  EXPECT_EQ(compare.engines, "box2d:continuous");
+  EXPECT_EQ(compare.scene.until, "3");
+  EXPECT_THAT(compare.scene.set, ElementsAre("a=1"));
+  EXPECT_EQ(compare.out, "d");
+  EXPECT_TRUE(compare.json);
+}
+
 TEST(CommandLine, answers_where_there_is_nothing_to_do) {
   EXPECT_EQ(std::get<Answer>(parse({})).status, ExitStatus::done);
   EXPECT_EQ(std::get<Answer>(parse({"--version"})).status, ExitStatus::done);

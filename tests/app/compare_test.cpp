@@ -138,6 +138,15 @@ TEST(CompareCommand, lists_all_that_is_wrong) {
   EXPECT_EQ(carom(folder, {"compare", "a.toml", "--dt", "1e-2", "--set", "collision.law=\"stick\""}).status, 2);
 }
 
+TEST(CompareCommand, does_not_write_over_its_scene) {
+  const Folder folder;
+  folder.write("rows.csv", std::string(fast) + "until = 0.1\n");
+  const test::Outcome o = carom(folder, {"compare", "rows.csv", "--dt", "1e-2", "--out", "."});
+  EXPECT_EQ(o.status, 2);
+  EXPECT_THAT(o.err, HasSubstr("overwrite"));
+  EXPECT_THAT(folder.read("rows.csv"), HasSubstr("Fast"));
+}
+
 // An engine is either there, or said to be missing by the name of its package.
 TEST(CompareCommand, engines_are_there_or_named) {
   const Folder folder;

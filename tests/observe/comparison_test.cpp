@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <gtest/gtest.h>
 
+#include "carom/sim/fixed_step.hpp"
 #include "observe/loop_stepper.hpp"
 #include "sim/scenes.hpp"
 
@@ -28,13 +30,23 @@ struct Exact {
   }
 };
 
-Comparison compare_loop(const Scene& scene, double dt, std::int64_t steps, double gain = 1.0) {
-  const Exact exact(scene, dt * static_cast<double>(steps + 2));
-  LoopStepper stepper(exact.start, dt, gain);
+Comparison compare_with(const Exact& exact, Stepper& stepper, double dt, std::int64_t steps) {
   ComparisonSettings settings;
   settings.dt = dt;
   settings.steps = steps;
   return compare(exact.course, exact.enclosures, stepper, settings);
+}
+
+Comparison compare_loop(const Scene& scene, double dt, std::int64_t steps, double gain = 1.0) {
+  const Exact exact(scene, dt * static_cast<double>(steps + 2));
+  LoopStepper stepper(exact.start, dt, gain);
+  return compare_with(exact, stepper, dt, steps);
+}
+
+Comparison compare_discrete(const Scene& scene, double dt, std::int64_t steps) {
+  const Exact exact(scene, dt * static_cast<double>(steps + 2));
+  const auto stepper = make_stepper(scene, {.dt = dt, .method = parse_step_method("discrete")});
+  return compare_with(exact, *stepper, dt, steps);
 }
 
 Scene two_balls(double gap, double speed, double radius, double aside = 0.0, double until = 1.0) {
@@ -120,14 +132,14 @@ TEST(Compare, sees_a_late_collision) {
 
 // An oblique hit: found up to a step late, at a normal that is off by O(dt). Averaged over where in the step the contact
 // falls, the error at a fixed time later is proportional to dt.
-TEST(Compare, error_falls_with_the_step) {
-  const auto mean_error = [](double dt) {
+void expect_first_order(const std::function<Comparison(const Scene&, double, std::int64_t)>& compared) {
+  const auto mean_error = [&](double dt) {
     const int offsets = 200;
     const double until = 0.5;
     double sum = 0;
     for (int k = 0; k < offsets; ++k) {
       const Comparison c =
-          compare_loop(two_balls(0.2 + 2 * dt * (k + 0.5) / offsets, 1.0, 0.1, 0.07), dt, std::lround(until / dt));
+          compared(two_balls(0.2 + 2 * dt * (k + 0.5) / offsets, 1.0, 0.1, 0.07), dt, std::lround(until / dt));
       EXPECT_EQ(c.tally.missed + c.tally.spurious + c.escaped, 0);
       EXPECT_EQ(c.collisions, 1);
       sum += c.position_error;
@@ -136,6 +148,11 @@ TEST(Compare, error_falls_with_the_step) {
   };
   const double slope = std::log2(mean_error(0.01) / mean_error(0.0025)) / 2;
   EXPECT_NEAR(slope, 1.0, 0.1);
+}
+
+TEST(Compare, error_falls_with_the_step) {
+  expect_first_order([](const Scene& scene, double dt, std::int64_t steps) { return compare_loop(scene, dt, steps); });
+  expect_first_order(compare_discrete);
 }
 
 // An impulse 10 % too large: energy is off by the balance (momentum is not), by hand.
