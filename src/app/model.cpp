@@ -126,13 +126,13 @@ std::vector<std::string> limits_of_steps(const Scene& scene, const std::vector<B
     if (b.radius > 0) smallest = std::min(smallest, b.radius.value);
     points = points || b.radius == 0;
   }
-  // Two balls of radius r overlap along 4 r of a head-on path, which closes at 2 v.
+  // Two balls of radius r overlap and still approach along 2 r of a head-on path, which closes at 2 v.
   if (start.size() > 1 && fastest > 0 && std::isfinite(smallest))
     list.push_back(
-        fmt::format("discrete, penalty: all head-on hits only below dt = 2 r/v = {:.3g}, with the smallest radius and the "
+        fmt::format("discrete, penalty: all head-on hits only below dt = r/v = {:.3g}, with the smallest radius and the "
                     "largest speed of "
-                    "the start; grazing hits overlap for shorter than any step",
-                    2 * smallest / fastest));
+                    "the start; grazing hits leave less time, down to none",
+                    smallest / fastest));
   const bool two_sided = std::any_of(scene.walls.begin(), scene.walls.end(), [](const WallSpec& w) {
     return w.kind == WallKind::segment || w.kind == WallKind::polygon;
   });

@@ -34,12 +34,12 @@ TEST(Explain, prints_json) {
   EXPECT_FALSE(j["not_modelled"].empty());
 }
 
-// Two balls of radius 1/2 at speed 1: 2 r/v = 1.
+// Two balls of radius 1/2 at speed 1: r/v = 1/2.
 TEST(Explain, says_what_steps_and_engines_leave_out) {
   const Folder folder;
   folder.write("a.toml", test::head_on(2));
   EXPECT_THAT(carom(folder, {"explain", "a.toml"}).out,
-              testing::AllOf(HasSubstr("2 r/v = 1,"), HasSubstr("by box2d"), HasSubstr("by chipmunk"),
+              testing::AllOf(HasSubstr("r/v = 0.5,"), HasSubstr("by box2d"), HasSubstr("by chipmunk"),
                              HasSubstr("by bullet"), testing::Not(HasSubstr("parabola"))));
   EXPECT_THAT(carom(folder, {"explain", "a.toml", "--set", "motion.acceleration=[0,-1]"}).out, HasSubstr("parabola"));
   const auto j =
