@@ -20,7 +20,7 @@ class LoopStepper final : public Stepper {
     ++steps_;
     for (BallState& b : balls_)
       for (std::size_t k = 0; k < b.velocity.size(); ++k) {
-        b.unwrapped_position[k] += dt_ * b.velocity[k];
+        b.unwrapped_position[k].value += dt_ * b.velocity[k];
         b.position[k] = b.unwrapped_position[k];
       }
     collide(sink);
@@ -47,8 +47,8 @@ class LoopStepper final : public Stepper {
     }
     const double impulse = closing > 0 ? gain_ * 2 * closing * a.mass * b.mass / (a.mass + b.mass) : 0.0;
     for (std::size_t k = 0; k < normal.size(); ++k) {
-      a.velocity[k] -= impulse / a.mass * normal[k];
-      b.velocity[k] += impulse / b.mass * normal[k];
+      a.velocity[k].value -= impulse / a.mass * normal[k];
+      b.velocity[k].value += impulse / b.mass * normal[k];
     }
     sink({time(), steps_, EventKind::ball_ball, 0, 1, 0, overlap, impulse});
   }
