@@ -1,5 +1,5 @@
-// A head-on hit on a corner at exactly 45 degrees: out of a concave corner the ball comes straight back after two hits; on the
-// tip of a convex one it comes straight back after one.
+// A head-on hit on a corner at exactly 45 degrees: out of a concave corner the ball comes straight back after two hits; on
+// the tip of a convex one it comes straight back after one.
 
 #include "hard_cases/watched_run.hpp"
 
@@ -9,12 +9,11 @@ namespace {
 using namespace testing;
 
 TEST(CornerAt45Degrees, concave_made_of_anything) {
-  const std::vector<std::vector<WallSpec>> corners = {
-      {plane({0.0, 0.0}, {1.0, 0.0}), plane({0.0, 0.0}, {0.0, 1.0})},
-      {segment({0.0, 0.0}, {0.0, 9.0}), segment({9.0, 0.0}, {0.0, 0.0})},
-      {polygon({{0.0, 0.0}, {9.0, 0.0}, {9.0, 9.0}, {0.0, 9.0}})},
-      {polygon({{0.0, 9.0}, {9.0, 9.0}, {9.0, 0.0}, {0.0, 0.0}})},
-      {plane({0.0, 0.0}, {1.0, 0.0}), segment({0.0, 0.0}, {9.0, 0.0})}};
+  const std::vector<std::vector<WallSpec>> corners = {{plane({0.0, 0.0}, {1.0, 0.0}), plane({0.0, 0.0}, {0.0, 1.0})},
+                                                      {segment({0.0, 0.0}, {0.0, 9.0}), segment({9.0, 0.0}, {0.0, 0.0})},
+                                                      {polygon({{0.0, 0.0}, {9.0, 0.0}, {9.0, 9.0}, {0.0, 9.0}})},
+                                                      {polygon({{0.0, 9.0}, {9.0, 9.0}, {9.0, 0.0}, {0.0, 0.0}})},
+                                                      {plane({0.0, 0.0}, {1.0, 0.0}), segment({0.0, 0.0}, {9.0, 0.0})}};
   for (std::size_t k = 0; k < corners.size(); ++k)
     for (const double radius : {0.5, 0.0, 0.3})
       for (const double speed : {1.0, 0.7}) {

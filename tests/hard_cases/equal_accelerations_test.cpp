@@ -1,6 +1,6 @@
-// Row 11: what is of which order. A ball that falls on a fixed one meets it at the root of a quartic, two that fall together
-// at that of a quadratic, and coefficients vanish: at rest, at right angles, straight above. The order of the polynomial is
-// that of the coefficients that are there. Each case against its closed form.
+// Row 11: what is of which order. A ball that falls on a fixed one meets it at the root of a quartic, two that fall
+// together at that of a quadratic, and coefficients vanish: at rest, at right angles, straight above. The order of the
+// polynomial is that of the coefficients that are there. Each case against its closed form.
 
 #include "hard_cases/watched_run.hpp"
 

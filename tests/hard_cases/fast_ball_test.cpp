@@ -1,5 +1,5 @@
-// Row 15: an error of position that grows with speed. The state at a collision is (x, v, time of the collision), and the flight
-// is computed from it once; so the gap error at contact is a rounding of the coordinates, whatever the speed.
+// Row 15: an error of position that grows with speed. The state at a collision is (x, v, time of the collision), and the
+// flight is computed from it once; so the gap error at contact is a rounding of the coordinates, whatever the speed.
 
 #include "hard_cases/watched_run.hpp"
 

@@ -1,5 +1,5 @@
-// Row 17: no friction at all is the default. Nothing acts across the normal: tangential velocities stay to the bit where the
-// normal is along an axis, speeds do not decay, and a ball alone flies for ever.
+// Row 17: no friction at all is the default. Nothing acts across the normal: tangential velocities stay to the bit where
+// the normal is along an axis, speeds do not decay, and a ball alone flies for ever.
 
 #include "hard_cases/watched_run.hpp"
 

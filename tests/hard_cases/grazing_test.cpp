@@ -1,6 +1,6 @@
-// Row 1: grazing. |r + v t|^2 - sigma^2 has a double root where the path is tangent to the contact circle. Touching 0 without
-// turning negative is no event; the exact sign of the discriminant decides. One ulp beside a tangent along an axis is in
-// tests/sim/contact_test.cpp; here: oblique tangents, walls of every shape, parabolas, and what a deep graze does.
+// Row 1: grazing. |r + v t|^2 - sigma^2 has a double root where the path is tangent to the contact circle. Touching 0
+// without turning negative is no event; the exact sign of the discriminant decides. One ulp beside a tangent along an axis
+// is in tests/sim/contact_test.cpp; here: oblique tangents, walls of every shape, parabolas, and what a deep graze does.
 
 #include "hard_cases/watched_run.hpp"
 
@@ -73,7 +73,7 @@ TEST(ParabolaGraze, the_top_touches_and_is_no_event) {
   }
 }
 
-// And whose top touches a fixed ball from below: a quartic with a fourfold root would be one thing, here it is a double one.
+// And whose top touches a fixed ball from below: the quartic has a double root there.
 TEST(ParabolaGraze, the_top_touches_a_ball) {
   const auto hits = [](double height) {
     Scene scene = open_space(2);

@@ -1,6 +1,6 @@
-// Row 8: joints of segments and of a polygon's edges. A ray aimed at a vertex, or beside it by 1e-16 .. 1e-8, from any side,
-// must not get through: whether it runs to the left or to the right of the vertex is one sign for both edges. Long runs
-// inside polygons are in tests/sim/whole_integrator_test.cpp (Polygon).
+// Row 8: joints of segments and of a polygon's edges. A ray aimed at a vertex, or beside it by 1e-16 .. 1e-8, from any
+// side, must not get through: whether it runs to the left or to the right of the vertex is one sign for both edges. Long
+// runs inside polygons are in tests/sim/whole_integrator_test.cpp (Polygon).
 
 #include "hard_cases/watched_run.hpp"
 
@@ -52,8 +52,7 @@ TEST(Joint, lets_no_ray_out) {
         for (const double offset : offsets) {
           const double x = dice.between(-0.4, 0.4), y = dice.between(-0.4, 0.4);
           const double dx = vertex[0] - x, dy = vertex[1] - y, length = std::hypot(dx, dy);
-          scene.balls = {
-              ball({x, y}, {(dx - offset * dy / length) / length, (dy + offset * dx / length) / length}, 0.0)};
+          scene.balls = {ball({x, y}, {(dx - offset * dy / length) / length, (dy + offset * dx / length) / length}, 0.0)};
           const Result result = watched_run(scene, {.events = 12});
           ASSERT_EQ(result.log.size(), 12u) << "it got out: turn " << turn << " offset " << offset;
           for (std::size_t k = 0; k + 1 < result.log.size(); ++k) {
@@ -96,9 +95,10 @@ TEST(Joint, lets_no_disk_out) {
       for (const Coordinates& vertex : vertices)
         for (const double offset : offsets) {
           const double length = std::hypot(vertex[0].value, vertex[1].value);
-          scene.balls = {ball({0.0, 0.0}, {(vertex[0] - offset * vertex[1] / length) / length,
-                                           (vertex[1] + offset * vertex[0] / length) / length},
-                              radius)};
+          scene.balls = {
+              ball({0.0, 0.0},
+                   {(vertex[0] - offset * vertex[1] / length) / length, (vertex[1] + offset * vertex[0] / length) / length},
+                   radius)};
           const Result result = watched_run(scene, {.events = 40});
           ASSERT_EQ(result.log.size(), 40u);
           EXPECT_TRUE(inside(vertices, result.balls[0].position[0], result.balls[0].position[1]));

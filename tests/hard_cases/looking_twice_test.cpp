@@ -1,6 +1,6 @@
-// Row 18: the result must not depend on how often one looks. tests/sim/looking_test.cpp slices boxes of balls; here the states
-// that are more than a position: sides and contacts of points at segments, bodies that stick, merged balls, moving walls,
-// gravity, and runs that end in a collapse.
+// Row 18: the result must not depend on how often one looks. tests/sim/looking_test.cpp slices boxes of balls; here the
+// states that are more than a position: sides and contacts of points at segments, bodies that stick, merged balls, moving
+// walls, gravity, and runs that end in a collapse.
 
 #include "hard_cases/watched_run.hpp"
 

@@ -1,5 +1,5 @@
-// Row 14: masses 1e-12 .. 1e12 apart, and infinite ones. Energy and momentum stay to rounding, the light ball bounces off the
-// heavy one as off a wall. Ratios up to 1e12 against pi are in tests/physics/galperin_test.cpp.
+// Row 14: masses 1e-12 .. 1e12 apart, and infinite ones. Energy and momentum stay to rounding, the light ball bounces off
+// the heavy one as off a wall. Ratios up to 1e12 against pi are in tests/physics/galperin_test.cpp.
 
 #include "hard_cases/watched_run.hpp"
 

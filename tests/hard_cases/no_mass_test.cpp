@@ -1,5 +1,5 @@
-// Row 20: a mass of 0 has no mechanics and is refused; two infinite masses that meet have none either, and the run stops there
-// (moving ones: tests/sim/stop_test.cpp). Fixed balls may touch and overlap each other: they never meet.
+// Row 20: a mass of 0 has no mechanics and is refused; two infinite masses that meet have none either, and the run stops
+// there (moving ones: tests/sim/stop_test.cpp). Fixed balls may touch and overlap each other: they never meet.
 
 #include "hard_cases/watched_run.hpp"
 
@@ -45,8 +45,9 @@ TEST(Mass, infinite_on_both_sides_may_pass) {
   EXPECT_EQ(result.log.size(), 1u) << "the last ball turns at the first fixed one";
 }
 
-// Squeezed between a piston of infinite mass and a wall: the speed grows without bound as the gap closes, 2 V a cycle. In the
-// end there is no room; the run must stop by itself, or go on counting hits that come ever faster, but never lose the ball.
+// Squeezed between a piston of infinite mass and a wall: the speed grows without bound as the gap closes, 2 V a cycle. In
+// the end there is no room; the run must stop by itself, or go on counting hits that come ever faster, but never lose the
+// ball.
 TEST(Mass, squeezed_between_two_infinite_ones) {
   Scene scene = open_space(1);
   scene.walls = {plane({0.0}, {1.0})};

@@ -1,5 +1,5 @@
-// Row 19: a fixed step has several collisions in it, in an order that is lost. Here collisions come by time however close they
-// are, down to one tick of the clock; and the time order of the log is never broken, in any scene.
+// Row 19: a fixed step has several collisions in it, in an order that is lost. Here collisions come by time however close
+// they are, down to one tick of the clock; and the time order of the log is never broken, in any scene.
 
 #include "hard_cases/watched_run.hpp"
 

@@ -1,6 +1,6 @@
 // Row 9: an initial overlap is refused with the pair and its depth, once it is more than rounding; nothing is moved apart
-// silently. Two balls, boxes and walls are in tests/world/world_build_test.cpp (Refused); here: 3-D, periodic images, ends of
-// segments, and that every pair of a heap is named.
+// silently. Two balls, boxes and walls are in tests/world/world_build_test.cpp (Refused); here: 3-D, periodic images, ends
+// of segments, and that every pair of a heap is named.
 
 #include "hard_cases/watched_run.hpp"
 

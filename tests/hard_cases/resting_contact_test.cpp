@@ -1,6 +1,7 @@
-// Row 13: resting contact. With e < 1 the impacts of a bouncing ball accumulate in finite time; a run that is not told how to
-// go on stops there, with status 3 and the balls named. It neither hangs nor sinks nor loses energy from the books. One ball
-// in 1-D is in tests/sim/whole_integrator_test.cpp (BouncingBall); clusters at one instant in contact_test.cpp (Persistent).
+// Row 13: resting contact. With e < 1 the impacts of a bouncing ball accumulate in finite time; a run that is not told how
+// to go on stops there, with status 3 and the balls named. It neither hangs nor sinks nor loses energy from the books. One
+// ball in 1-D is in tests/sim/whole_integrator_test.cpp (BouncingBall); clusters at one instant in contact_test.cpp
+// (Persistent).
 
 #include <algorithm>
 

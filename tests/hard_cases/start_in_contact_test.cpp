@@ -64,8 +64,8 @@ TEST(StartInContact, under_gravity) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(thrown.log[i].time, 2.0 * double(i + 1), 1e-14);
 }
 
-// On top of a fixed ball, pushed aside: it leaves the surface at once if v^2 > g (r + R), and else rolls off along it: with no
-// rest state that is a contact that never ends.
+// On top of a fixed ball, pushed aside: it leaves the surface at once if v^2 > g (r + R), and else rolls off along it: with
+// no rest state that is a contact that never ends.
 TEST(StartInContact, leaves_a_dome_if_fast_enough) {
   for (const double v : {1.01, 2.0, 0.5}) {
     Scene scene = open_space(2);

@@ -8,8 +8,8 @@ namespace {
 
 using namespace testing;
 
-// A disk on the inside of a circle, on the outside of a pillar, on a plane and on a segment, in any direction: pressed in it
-// acts at once, pulled away it does not, and it never gets to the other side.
+// A disk on the inside of a circle, on the outside of a pillar, on a plane and on a segment, in any direction: pressed in
+// it acts at once, pulled away it does not, and it never gets to the other side.
 TEST(StartOnAnyWall, acts_at_once_if_pressed) {
   Dice dice(71);
   for (int i = 0; i < 400; ++i) {
@@ -31,7 +31,8 @@ TEST(StartOnAnyWall, acts_at_once_if_pressed) {
     if (kind == 2) scene.walls = {plane({0.0, 0.0}, {c, s})};
     if (kind == 3) scene.walls = {segment({2 * s, -2 * c}, {-2 * s, 2 * c})};
     const double along = dice.between(-0.3, 0.3), away = kind == 0 ? -inward : inward;
-    scene.balls = {ball({double(distance * c / size), double(distance * s / size)}, {away * c - along * s, away * s + along * c}, radius)};
+    scene.balls = {ball({double(distance * c / size), double(distance * s / size)},
+                        {away * c - along * s, away * s + along * c}, radius)};
     Simulation simulation(scene);
     simulation.advance(Number(0.0));
     const bool free_to_choose = kind == 3 && radius == 0.0;

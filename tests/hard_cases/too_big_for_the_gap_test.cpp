@@ -1,5 +1,5 @@
-// A ball larger than the gap it is asked to pass bounces off the gap's edges; a smaller one passes; the limit is the width of
-// the gap to the last bit.
+// A ball larger than the gap it is asked to pass bounces off the gap's edges; a smaller one passes; the limit is the width
+// of the gap to the last bit.
 
 #include "hard_cases/watched_run.hpp"
 

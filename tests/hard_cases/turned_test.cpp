@@ -1,7 +1,7 @@
-// Turned, mirrored, renumbered. A mirror and a quarter turn in the plane change signs and names of axes: sums of two products
-// do not depend on their order, so without ties the log is the same, bit for bit. Boxes of balls under mirrors and new numbers
-// are in tests/sim/symmetry_test.cpp; here walls of all kinds and gravity are turned too. A general turn in space rounds the
-// inputs: the order of events is the same up to where chaos has made that rounding as large as a gap.
+// Turned, mirrored, renumbered. A mirror and a quarter turn in the plane change signs and names of axes: sums of two
+// products do not depend on their order, so without ties the log is the same, bit for bit. Boxes of balls under mirrors and
+// new numbers are in tests/sim/symmetry_test.cpp; here walls of all kinds and gravity are turned too. A general turn in
+// space rounds the inputs: the order of events is the same up to where chaos has made that rounding as large as a gap.
 
 #include <algorithm>
 
@@ -75,8 +75,8 @@ TEST(Turned, by_quarters_and_mirrored_gives_the_turned_log) {
       const Result one = watched_run(scene, {.events = 400, .stride = 9, .energy_error = 1e-13});
       ASSERT_EQ(one.log.size(), 400u);
       ASSERT_EQ(one.summary.events.ties, 0) << "another seed";
-      for (const Turn& turn : {Turn{false, -1, 1}, Turn{false, 1, -1}, Turn{false, -1, -1}, Turn{true, -1, 1}, Turn{true, 1, -1},
-                               Turn{true, 1, 1}}) {
+      for (const Turn& turn : {Turn{false, -1, 1}, Turn{false, 1, -1}, Turn{false, -1, -1}, Turn{true, -1, 1},
+                               Turn{true, 1, -1}, Turn{true, 1, 1}}) {
         const Result other = run(turned(scene, turn), 400);
         ASSERT_EQ(other.log.size(), 400u);
         for (std::size_t i = 0; i < 400; ++i) {
@@ -91,16 +91,16 @@ TEST(Turned, by_quarters_and_mirrored_gives_the_turned_log) {
                       c.ball.number == q.ball.number && c.partner.number == q.partner.number && c.impulse == q.impulse &&
                       c.ball.position == q.ball.position && c.ball.velocity_after == q.ball.velocity_after &&
                       c.partner.velocity_after == q.partner.velocity_after)
-              << "seed " << seed << " gravity " << gravity << " turn " << turn.exchange << turn.sx << turn.sy << " collision "
-              << i;
+              << "seed " << seed << " gravity " << gravity << " turn " << turn.exchange << turn.sx << turn.sy
+              << " collision " << i;
         }
       }
     }
 }
 
 // A cloud of spheres that falls in on itself, turned about a general axis: who hits whom is the same for the first dozens.
-// Each generation of hits magnifies an error by mean free path / radius or so, here about tenfold: from 1e-15 to a gap's size
-// in some fifteen generations of hits.
+// Each generation of hits magnifies an error by mean free path / radius or so, here about tenfold: from 1e-15 to a gap's
+// size in some fifteen generations of hits.
 TEST(Turned, in_space_keeps_the_order_up_to_the_horizon) {
   Scene scene = mixed_box(3, 27, 8.0, 286, 0.6);
   scene.space = SpaceSpec{};

@@ -26,8 +26,8 @@ inline Result watched_run(const Scene& scene, const Watch& watch) {
   Simulation simulation(scene);
   const std::optional<Number> until = watch.until ? std::optional<Number>(*watch.until) : std::nullopt;
   for (std::int64_t left = watch.events; left > 0; left -= watch.stride) {
-    result.stop = simulation.advance(until, std::min(left, watch.stride),
-                                     [&](const Collision& c) { result.log.push_back(c); });
+    result.stop =
+        simulation.advance(until, std::min(left, watch.stride), [&](const Collision& c) { result.log.push_back(c); });
     const Audit truth = simulation.audit(AuditBy::every_pair);
     EXPECT_EQ(truth.overlaps, 0) << "ball " << truth.ball << " and " << (truth.with_wall ? "wall " : "ball ")
                                  << truth.partner << " by " << truth.deepest << " after collision " << result.log.size();
