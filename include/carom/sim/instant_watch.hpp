@@ -12,11 +12,11 @@
 namespace carom {
 
 /// Within one instant no ball moves, so what follows depends on the velocities, and on which contacts are spent: those that
-/// the last impacts made. A ball with no room between two walls is turned to and fro; its velocities come back, and then all
-/// comes back. The watch marks a state (after 64, 128, 256, ... impacts of an instant [Brent1980]) and waits until every
-/// velocity is the marked one again after the same impact. When that has happened twice, after equally many impacts, the
-/// impacts of the one period have been those of the other, contacts included, and there is no end. Equality is exact, and
-/// elastic impacts that do come to an end, however many, never repeat a state.
+/// the last impacts made. A ball with no room between two walls is turned to and fro; its velocities come back, and then
+/// all comes back. The watch marks a state (after 64, 128, 256, ... impacts of an instant [Brent1980]) and waits until
+/// every velocity is the marked one again after the same impact. When that has happened twice, after equally many impacts,
+/// the impacts of the one period have been those of the other, contacts included, and there is no end. Equality is exact,
+/// and elastic impacts that do come to an end, however many, never repeat a state.
 template <class Real, int D>
 class InstantWatch {
  public:

@@ -11,9 +11,9 @@
 
 namespace carom {
 
-/// A point stored next to a segment that it did not hit may have been rounded across it, or past the end of it. It holds the
-/// side that it flew on: it touches that segment, and hits it if it closes. So in a convex corner a point that hits one edge
-/// as close to the vertex as rounding can tell has still the other edge before it, and cannot get out between the two.
+/// A point stored next to a segment that it did not hit may have been rounded across it, or past the end of it. It holds
+/// the side that it flew on: it touches that segment, and hits it if it closes. So in a convex corner a point that hits one
+/// edge as close to the vertex as rounding can tell has still the other edge before it, and cannot get out between the two.
 template <class Real, int D>
 class Sides {
  public:
