@@ -182,14 +182,15 @@ Horizon find_horizon(const Scene& scene, const HorizonOptions& options, const st
   while (found.compared < options.collisions && !found.partner) {
     if (interrupt != nullptr && interrupt->load()) break;
     Collision a, b;
-    bool met_a = false, met_b = false;
-    met_a = run.next(
+    const std::int64_t before_a = run.event(), before_b = truth.event();
+    const bool met_a = run.next(
         [&](const Collision& c) {
           a = c;
+          if (tangent) tangent->collision(c);
           beside.add(0, run.event(), c, off, parted);
         },
         interrupt);
-    met_b = truth.next(
+    const bool met_b = truth.next(
         [&](const Collision& c) {
           b = c;
           beside.add(1, truth.event(), c, off, parted);
@@ -203,10 +204,10 @@ Horizon find_horizon(const Scene& scene, const HorizonOptions& options, const st
         found.partner = HorizonMark{run.event() + (met_a ? 0 : 1), met_a ? a.time : b.time};
       break;
     }
-    ++found.compared;
-    if (tangent) tangent->collision(a);
+    found.compared = run.event();
     const auto who = [](const Collision& c) { return std::tuple(c.kind, c.ball.number, c.partner.number, c.feature); };
-    if (!found.order && who(a) != who(b)) found.order = HorizonMark{run.event(), a.time};
+    const bool singly = run.event() == before_a + 1 && truth.event() == before_b + 1;  // not several at one instant
+    if (!found.order && singly && who(a) != who(b)) found.order = HorizonMark{run.event(), a.time};
   }
   if (tangent && found.compared > 0) {
     found.digits_lost = tangent->digits();

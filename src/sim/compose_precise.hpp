@@ -9,9 +9,9 @@
 #include "carom/motion/uniform_acceleration.hpp"
 #include "carom/queue/heap_queue.hpp"
 #include "carom/search/cell_grid.hpp"
+#include "carom/world/build.hpp"
 #include "composed_engine.hpp"
 #include "engine.hpp"
-#include "../world/build_impl.hpp"
 
 namespace carom {
 
