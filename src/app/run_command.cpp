@@ -71,15 +71,16 @@ std::string remedy(const Summary& summary, const Simulation& simulation) {
   if (summary.stopped_by == Stop::non_finite) return "Are sizes, masses or speeds too far apart?";
   for (const std::uint32_t ball : summary.stopped->balls)
     if (std::isinf(simulation.ball(ball).mass)) return "Give it a finite mass, or end the run before with --until.";
-  return "Or end the run before with --until.";
+  return "Or end the run before, with --until.";
 }
 
 void explain_stop(const Summary& summary, const Simulation& simulation, const Console& console) {
   const StopDetail& stopped = *summary.stopped;
   std::string balls;
   for (const std::uint32_t b : stopped.balls) balls += (balls.empty() ? "" : ", ") + std::to_string(b);
-  console.err << fmt::format("carom: stopped at time {}: {} ({} {}). {}\n", stopped.time.value, stopped.reason,
-                             stopped.balls.size() == 1 ? "ball" : "balls", balls, remedy(summary, simulation));
+  console.err << fmt::format("carom: stopped at time {} ({} {}): {}. {}\n", stopped.time.value,
+                             stopped.balls.size() == 1 ? "ball" : "balls", balls, stopped.reason,
+                             remedy(summary, simulation));
 }
 
 }  // namespace

@@ -44,8 +44,6 @@ class StateVisitor {
       time(s.block_start);
       each(s.duration);
     });
-    each(w.idle());
-    time(w.idle_since());
   }
   void time(auto& t) { each(t.epoch, t.offset); }
 

@@ -67,8 +67,8 @@ TEST(Rest, begins_at_the_first_touch_if_plastic_and_at_once_from_the_floor) {
   const Result result = run_until(scene, 10.0);
   EXPECT_EQ(result.log.size(), 1u) << "lying on the floor is no collision";
   EXPECT_EQ(result.summary.events.other, 2);
-  EXPECT_EQ(result.balls[0].position, (std::vector<double>{2.5, 0.5}));
-  EXPECT_EQ(result.balls[0].velocity, (std::vector<double>{0.25, 0.0}));
+  EXPECT_EQ(result.balls[0].position, (std::vector<Number>{2.5, 0.5}));
+  EXPECT_EQ(result.balls[0].velocity, (std::vector<Number>{0.25, 0.0}));
   EXPECT_LE(result.summary.energy.relative_error, 1e-16);
 }
 
@@ -111,7 +111,7 @@ TEST(Rest, on_a_moving_floor_is_carried) {
   Simulation simulation(scene);
   for (const double t : {1.0, 4.0, 10.0}) {
     simulation.advance(Number(t));
-    EXPECT_EQ(simulation.ball(0).position, (std::vector<double>{t, 0.5 + t / 2}));
+    EXPECT_EQ(simulation.ball(0).position, (std::vector<Number>{t, 0.5 + t / 2}));
     EXPECT_EQ(simulation.summary().energy.injected, t);
     EXPECT_EQ(simulation.summary().energy.relative_error, 0.0);
   }
@@ -124,8 +124,8 @@ TEST(Rest, ends_with_an_impact) {
   scene.balls = {ball({0.0, 0.5}, {0.0, 0.0}), ball({-3.0, 0.5}, {1.0, 0.0})};
   const Result along = run_until(scene, 100.0);
   EXPECT_EQ(along.log.size(), 1u);
-  EXPECT_EQ(along.balls[0].velocity, (std::vector<double>{0.75, 0.0})) << "(1 + e) / 2 of the speed";
-  EXPECT_EQ(along.balls[1].velocity, (std::vector<double>{0.25, 0.0}));
+  EXPECT_EQ(along.balls[0].velocity, (std::vector<Number>{0.75, 0.0})) << "(1 + e) / 2 of the speed";
+  EXPECT_EQ(along.balls[1].velocity, (std::vector<Number>{0.25, 0.0}));
 
   scene.balls = {ball({0.0, 0.5}, {0.0, 0.0}), ball({0.3, 4.0}, {0.0, 0.0})};
   const Result result = run_until(scene, 100.0);
@@ -150,7 +150,7 @@ TEST(Rest, ends_where_the_wall_ends) {
   EXPECT_EQ(simulation.counts().other, 2);
   EXPECT_EQ(simulation.counts().collisions(), 1);
   simulation.advance(Number(8.0));
-  EXPECT_EQ(simulation.ball(0).position, (std::vector<double>{3.5, -2.5}));
+  EXPECT_EQ(simulation.ball(0).position, (std::vector<Number>{3.5, -2.5}));
   EXPECT_LE(simulation.summary().energy.relative_error, 1e-16);
 }
 
@@ -163,7 +163,7 @@ TEST(Rest, at_the_end_of_a_wall_a_fast_ball_flies_off) {
     const Result fast = run_until(scene, 6.0);
     EXPECT_EQ(fast.stop, Stop::no_events_left);
     EXPECT_EQ(fast.log.size(), 0u);
-    EXPECT_EQ(fast.balls[0].position, (std::vector<double>{to_the_left ? -6.0 : 6.0, 0.5}));
+    EXPECT_EQ(fast.balls[0].position, (std::vector<Number>{to_the_left ? -6.0 : 6.0, 0.5}));
     scene.balls[0].velocity = {0.25, 0.0};
     const Result slow = run_until(scene, 100.0);
     if (slow.stop == Stop::collapse) {

@@ -24,7 +24,7 @@ inline constexpr double lost_in_rounding = 64.0;
 ///   has not fallen in `blocks_in_turn` blocks (eq. 5);
 ///   or each of the last `falls_in_turn` impulses of the ball was below the one before, and the last is lost in the
 ///   rounding of the velocities (eq. 6); or the clock cannot tell one block from the next, in which the parties move by
-///   less than a rounding of their coordinates (eq. 8).
+///   less than a rounding of their coordinates (eq. 7).
 /// Where an infinite mass that moves takes part, impulses need not fall: it crushes what it meets.
 /// A block in which nothing dissipates breaks the sequence, so no elastic sequence is ever a collapse.
 template <class Real>
@@ -96,25 +96,9 @@ class CollapseWatch {
     return s.count % block == 0 && ends_block(s, contact);
   }
 
-  /// A contact that changed nothing. As many of them in a row at one moment as there can be contacts, and nothing will ever
-  /// change: no ball touches more than 12 of its own size [papers/collapse.md, eq. 7].
-  [[nodiscard]] bool idles(const Time<Real>& now, bool idle, std::size_t balls) {
-    if (!idle) {
-      idle_ = 0;
-      return false;
-    }
-    idle_ = now == idle_since_ ? idle_ + 1 : 1;
-    idle_since_ = now;
-    return idle_ > 12 * balls;
-  }
-
   /// By ball; empty if nothing is watched. For checkpoints.
   [[nodiscard]] std::vector<Streak>& streaks() noexcept { return streaks_; }
   [[nodiscard]] const std::vector<Streak>& streaks() const noexcept { return streaks_; }
-  [[nodiscard]] auto& idle() noexcept { return idle_; }
-  [[nodiscard]] const auto& idle() const noexcept { return idle_; }
-  [[nodiscard]] auto& idle_since() noexcept { return idle_since_; }
-  [[nodiscard]] const auto& idle_since() const noexcept { return idle_since_; }
 
  private:
   [[nodiscard]] static bool ends_block(Streak& s, const Contact& contact) {
@@ -158,7 +142,7 @@ class CollapseWatch {
     const Real loss = s.duration - duration;
     if (loss <= Real(block) * u && -loss <= Real(block) * u && s.largest * duration <= contact.place &&
         s.largest * s.largest <= faint)
-      return true;  // [eq. 8]
+      return true;  // [eq. 7]
     if (!(duration > 0) || !(loss > 0)) return false;
     const Real rest = s.before > s.largest ? Real(s.largest * s.largest / (s.before - s.largest)) : never<Real>();
     if (!s.driven && !(rest * rest <= faint)) return false;                        // [eq. 4]
@@ -166,8 +150,6 @@ class CollapseWatch {
   }
 
   std::vector<Streak> streaks_;
-  std::uint64_t idle_ = 0;
-  Time<Real> idle_since_;
 };
 
 }  // namespace carom

@@ -395,8 +395,6 @@ class Collider {
 
   Verdict watch_contact(const WorldType& world, const Impact<Real, D>& impact, const Time<Real>& now,
                         std::initializer_list<std::uint32_t> balls, const Real& impulse, Support support) {
-    if (watch.idles(now, impulse == 0, world.balls.size()))
-      return stop(Verdict::collapse, "balls rest against each other: the contacts never end", cluster(balls));
     if (!watch.watching()) return Verdict::go_on;
     // Balls that rest on flat walls do so by a rule of their own, not by rounding.
     const bool may_round = !M::can_rest || support == Support::ball;

@@ -52,7 +52,7 @@ struct Landing {
 };
 
 /// Ball i, at x with velocity v, loses its speed w = n.(v - V) off the wall and its height over it. That takes m w^2 / 2 in
-/// the frame of the wall, and the potential of the height [papers/collapse.md, eq. 10].
+/// the frame of the wall, and the potential of the height [papers/collapse.md, eq. 9].
 template <class Real, int D, class Shape>
 [[nodiscard]] Landing<Real, D> set_at_rest(const World<Real, D>& world, const Shape& shape, std::uint32_t i,
                                            const Vec<Real, D>& x, const Vec<Real, D>& v, const Time<Real>& now) {
@@ -73,7 +73,7 @@ template <class Real, int D, class Shape>
 }
 
 /// Whether a ball that leaves a flat wall from x with velocity v, in acceleration a, has come to rest on it. With
-/// w = n.(v - V) and g = -n.a the next flight takes f = 2 w / g and rises by w^2 / (2 g) [papers/collapse.md, eq. 9]. The
+/// w = n.(v - V) and g = -n.a the next flight takes f = 2 w / g and rises by w^2 / (2 g) [papers/collapse.md, eq. 8]. The
 /// ball rests if f is no tick of the clock; if w is lost in the rounding of v [eq. 6]; or if the rise is lost in the
 /// rounding of x and what the flights lose, (1 - e) f, is no tick, so that the clock can tell no bounce from the next.
 template <class Real, int D, class Shape>
@@ -121,7 +121,7 @@ void release(World<Real, D>& world, std::uint32_t i, bool left = false) {
 }
 
 /// Work that a moving wall has done on a ball which rests on it, from its stored time to t: -m (n.a) (n.V) / (n.n) a unit
-/// of time [papers/collapse.md, eq. 11].
+/// of time [papers/collapse.md, eq. 10].
 template <class Real, int D>
 [[nodiscard]] Wide<Real> work_at_rest(const World<Real, D>& world, std::uint32_t i, const Time<Real>& t) {
   using W = Wide<Real>;
