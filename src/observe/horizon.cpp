@@ -45,25 +45,30 @@ struct Meeting {
   std::int64_t event = 0;
   Collision collision;
   bool as_partner = false;
+  std::array<std::int64_t, 3> period{};  // in which the partner was met, seen from the ball's unwrapped place
 
   [[nodiscard]] const Collision::Party& self() const { return as_partner ? collision.partner : collision.ball; }
   [[nodiscard]] auto with() const {
-    return std::tuple(collision.kind, as_partner ? collision.ball.number : collision.partner.number, collision.feature);
+    return std::tuple(collision.kind, as_partner ? collision.ball.number : collision.partner.number, collision.feature,
+                      period);
   }
 };
 
 /// Pairs the k-th collision of a ball in one run with its k-th in another.
 class Matching {
  public:
-  Matching(std::size_t balls, const std::array<double, 3>& edge, double epoch_length)
-      : waiting_(balls), edge_(edge), epoch_length_(epoch_length) {}
+  explicit Matching(const Simulation& start) : edge_(start.periods()), epoch_length_(start.epoch_length()) {
+    for (const BallState& b : start.balls()) radii_.push_back(b.radius);
+    waiting_.resize(radii_.size());
+  }
 
   /// A collision of run 0 or 1. Calls off(error, meeting of run 0) for each pair of meetings that this completes with the
   /// same partner, and parted(meeting of run 0) for one with another.
   template <class Off, class Parted>
   void add(int run, std::int64_t event, const Collision& c, Off&& off, Parted&& parted) {
-    meet(run, c.ball.number, Meeting{event, c, false}, off, parted);
-    if (c.kind == EventKind::ball_ball) meet(run, c.partner.number, Meeting{event, c, true}, off, parted);
+    const std::array<std::int64_t, 3> period = period_of(c);
+    meet(run, c.ball.number, Meeting{event, c, false, period}, off, parted);
+    if (c.kind == EventKind::ball_ball) meet(run, c.partner.number, Meeting{event, c, true, period}, off, parted);
   }
 
  private:
@@ -92,6 +97,18 @@ class Matching {
     }
   }
 
+  /// The image of the partner that was met: balls of the same number in other periods are other partners.
+  [[nodiscard]] std::array<std::int64_t, 3> period_of(const Collision& c) const {
+    std::array<std::int64_t, 3> period{};
+    if (c.kind != EventKind::ball_ball) return period;
+    const double sigma = radii_[c.ball.number] + radii_[c.partner.number];
+    for (std::size_t k = 0; k < 3; ++k)
+      if (edge_[k] > 0)
+        period[k] = std::llround((c.ball.position[k] - sigma * c.normal[k] - c.partner.position[k]) / edge_[k]) +
+                    (c.ball.image[k] - c.partner.image[k]);
+    return period;
+  }
+
   /// Distance of the ball's places in the two runs, at the time of the first.
   [[nodiscard]] double error(const Meeting& a, const Meeting& b) const {
     const double late = static_cast<double>(a.collision.epoch - b.collision.epoch) * epoch_length_ +
@@ -107,6 +124,7 @@ class Matching {
   }
 
   std::vector<Waiting> waiting_;
+  std::vector<double> radii_;
   std::array<double, 3> edge_;
   double epoch_length_;
 };
@@ -151,9 +169,7 @@ Horizon find_horizon(const Scene& scene, const HorizonOptions& options, const st
   Steps meant(scene, Precision::decimal(options.digits));
   const Simulation& start = run.simulation();
   found.length = smallest_length(scene, start);
-  const std::size_t balls = start.balls().size();
-  const std::array<double, 3> edge = start.periods();
-  Matching beside(balls, edge, start.epoch_length()), input(balls, edge, start.epoch_length());
+  Matching beside(start), input(start);
   std::optional<TangentGrowth> tangent;
   if (scene.collision.law == LawKind::restitution) tangent.emplace(scene, start);
 

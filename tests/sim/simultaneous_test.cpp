@@ -48,7 +48,7 @@ TEST(Symmetric, plastic_cradle_goes_on_together) {
   for (const double v : speeds(r.balls)) EXPECT_NEAR(v, 0.2, 1e-16);
   EXPECT_NEAR(r.summary.energy.dissipated, 0.5 - 0.1, 1e-15);
   EXPECT_LE(r.summary.energy.relative_error, 1e-15);
-  EXPECT_EQ(r.stop, Stop::until);
+  EXPECT_EQ(r.stop, Stop::no_events_left);
 }
 
 // A rack hit along its axis: balls that mirror each other leave mirrored, bit for bit; in pairwise order they do not.
