@@ -83,8 +83,10 @@ class Check {
     found_.summary = simulation.summary();
     if (!interrupted()) compare_log(log);
     if (!interrupted()) run_back(simulation, start);
-    if (!interrupted() && options_.horizon > 0) look_for_horizon();
-    if (!interrupted()) compare_rules();
+    // Balls come to rest in double precision, and with contacts one by one.
+    const bool rests = scene_.collision.regularise == Regularise::rest;
+    if (!interrupted() && options_.horizon > 0 && !rests) look_for_horizon();
+    if (!interrupted() && !rests) compare_rules();
     found_.interrupted = interrupted();
     return std::move(found_);
   }
