@@ -60,14 +60,23 @@ TEST(Program, refuses_wrong_command_lines_with_status_2) {
 TEST(Program, refuses_by_name_what_is_not_built) {
   const Folder folder;
   folder.write("a.toml", test::head_on(2));
-  for (const auto& words :
-       std::vector<std::vector<std::string>>{{"certify", "a.toml"}, {"run", "a.toml", "--precision", "50"}}) {
-    const test::Outcome o = carom(folder, words);
-    EXPECT_EQ(o.status, 2);
-    EXPECT_EQ(o.out, "");
-    EXPECT_THAT(o.err, HasSubstr("not built yet"));
+  const test::Outcome o = carom(folder, {"certify", "a.toml"});
+  EXPECT_EQ(o.status, 2);
+  EXPECT_EQ(o.out, "");
+  EXPECT_THAT(o.err, HasSubstr("not built yet"));
+}
+
+// Head-on at e = 1, equal masses: whole numbers, in any arithmetic. With digits they are strings.
+TEST(Program, runs_in_the_precision_asked_for) {
+  const Folder folder;
+  folder.write("a.toml", test::head_on(2));
+  for (const char* precision : {"double", "long-double", "50"}) {
+    const test::Outcome o = carom(folder, {"run", "a.toml", "--precision", precision, "--json", "--final"});
+    EXPECT_EQ(o.status, 0) << o.err;
+    EXPECT_THAT(o.out, HasSubstr("\"precision\": \"" + std::string(precision) + "\""));
+    EXPECT_EQ(o.out.find("\"velocity\": [\"") != std::string::npos, std::string(precision) != "double");
   }
-  EXPECT_EQ(carom(folder, {"run", "a.toml", "--precision", "double"}).status, 0);
+  for (const char* wrong : {"quad", "10", "50.5"}) EXPECT_EQ(carom(folder, {"run", "a.toml", "--precision", wrong}).status, 2);
 }
 
 TEST(Program, tells_when_its_result_cannot_be_written) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "carom/law/impact.hpp"
 #include "carom/predict/ball_ball.hpp"
 #include "carom/predict/ball_wall.hpp"
 #include "carom/predict/contact.hpp"

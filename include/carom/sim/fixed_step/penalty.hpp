@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "carom/sim/fixed_step.hpp"
 #include "carom/sim/fixed_step/contact_book.hpp"
 #include "carom/sim/fixed_step/near_list.hpp"
 #include "carom/sim/fixed_step/step_report.hpp"

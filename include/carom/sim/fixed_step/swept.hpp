@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "carom/sim/fixed_step.hpp"
 #include "carom/sim/fixed_step/near_list.hpp"
 #include "carom/sim/fixed_step/step_report.hpp"
 #include "carom/sim/fixed_step/sweep_times.hpp"
