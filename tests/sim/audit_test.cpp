@@ -45,6 +45,19 @@ TEST(Audit, no_overlap_in_any_scene) {
   }
 }
 
+// A place near 0 that was reached from afar is rounded as coordinates afar are: that is no overlap.
+TEST(Audit, rounding_is_that_of_the_whole_way) {
+  Dice dice(6);
+  for (int i = 0; i < 100; ++i) {
+    Scene scene = box({0.0}, {8.0});
+    const double x = dice.between(4.0, 7.9), v = dice.between(-2.0, -0.5);
+    scene.balls = {ball({x}, {v}, 0.01)};
+    Simulation simulation(scene);
+    simulation.advance(std::nullopt, 1);
+    ASSERT_EQ(simulation.audit(AuditBy::every_pair).overlaps, 0) << "from " << x << " at " << v;
+  }
+}
+
 // The audit itself can see: the same balls, moved on without their collisions, overlap each other and the walls.
 TEST(Audit, finds_what_an_engine_would_have_missed) {
   Scene scene = box({-10.0, -10.0}, {10.0, 10.0});
