@@ -165,6 +165,7 @@ Rational exact(const Number& number) {
 }
 
 Number parse_number(std::string_view text) {
+  if (text.size() > longest_number) throw std::length_error("a number of " + std::to_string(text.size()) + " characters");
   Number number;
   number.text = text;
   if (text == "inf" || text == "+inf" || text == "-inf") {

@@ -66,6 +66,9 @@ std::optional<Number> TableReader::read_number(const toml::node& node, const Pat
   }
   try {
     return parse_number(text);
+  } catch (const std::length_error& error) {
+    report_.refuse(node, path, dotted(path) + " is " + error.what(),
+                   "a number has at most " + std::to_string(longest_number));
   } catch (const std::invalid_argument&) {
     report_.refuse(node, path, dotted(path) + " is " + in_quotes(text), "a number is needed",
                    "Write a decimal, or a rational as \"1/3\"");

@@ -184,5 +184,15 @@ TEST(ParseNumber, rounds_its_exact_value_once) {
   }
 }
 
+// The exact value of a fraction costs the square of its digits.
+TEST(ParseNumber, refuses_what_is_too_long_to_be_meant) {
+  const std::string third = "1/3" + std::string(longest_number - 3, '0');
+  EXPECT_THROW(static_cast<void>(parse_number(third)), std::out_of_range);  // 10^-9997
+  EXPECT_EQ(parse_number("0." + std::string(longest_number - 2, '3')).value, 1.0 / 3.0);
+  EXPECT_EQ(parse_number(std::string(4999, '1') + "/" + std::string(4999, '3')).value, 1.0 / 3.0);
+  EXPECT_THROW(static_cast<void>(parse_number("0." + std::string(longest_number - 1, '3'))), std::length_error);
+  EXPECT_THROW(static_cast<void>(parse_number("1/" + std::string(1'000'000, '3'))), std::length_error);
+}
+
 }  // namespace
 }  // namespace carom

@@ -1,6 +1,7 @@
 #pragma once
 // A number as the user wrote it: its text, exact, beside the double nearest to it.
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -17,8 +18,12 @@ struct Number {
   operator double() const noexcept { return value; }  // NOLINT(google-explicit-constructor)
 };
 
+/// Characters of a number at most: enough for any precision that a run could bear, and read in milliseconds.
+inline constexpr std::size_t longest_number = 10'000;
+
 /// Reads a decimal or a rational and rounds it once. Underscores between digits are allowed, as in TOML.
-/// Throws std::invalid_argument if the text is no number, std::out_of_range if a finite one is no finite double.
+/// Throws std::length_error if the text is longer than `longest_number`, std::invalid_argument if it is no number,
+/// std::out_of_range if a finite one is no finite double.
 /// A value that underflows to zero or to a subnormal double is out of range too.
 [[nodiscard]] Number parse_number(std::string_view text);
 
