@@ -77,11 +77,22 @@ class Writer {
     line("[motion]\nacceleration = {}", text_of(g));
   }
 
-  /// Laws and what regularises them. A key that the reader does not build yet has no place here.
+  /// Laws, what regularises them, and the rule for simultaneous contacts.
   void write_collision() {
-    line("[collision]\nlaw = \"{}\"",
-         one_of({"restitution", "restitution", "restitution", "restitution", "restitution", "stick", "merge"}));
-    line("restitution = {}", restitution());
+    const std::string_view law =
+        one_of<std::string_view>({"restitution", "restitution", "restitution", "restitution", "restitution", "stick", "merge"});
+    line("[collision]\nlaw = \"{}\"", law);
+    const double e = restitution();
+    line("restitution = {}", e);
+    if (law != "restitution") return;
+    if (chance(0.2)) line("contact_time = {}", one_of({0.001, 0.125, 1.0}));
+    const double remedy = dice_.uniform();
+    if (remedy < 0.25) {
+      line("regularise = \"rest\"");
+    } else {
+      if (remedy < 0.4 && e > 0) line("regularise = \"viscoelastic\"\nreference_speed = {}", one_of({0.5, 1.0}));
+      if (chance(0.35)) line("simultaneous = \"symmetric\"");
+    }
   }
 
   void write_walls() {
@@ -215,7 +226,7 @@ class Writer {
 
   [[nodiscard]] double until() const {
     const double crossing = side / (fastest_ > 0 ? fastest_ : 1.0);
-    return accelerated_ ? std::min(200.0, 50.0 * crossing + 10.0) : 50.0 * crossing;
+    return accelerated_ && kind_ != Kind::extreme ? std::min(200.0, 50.0 * crossing + 10.0) : 50.0 * crossing;
   }
 
   static constexpr int side = 8;

@@ -14,7 +14,7 @@ Verdict Collider<M>::collide_together(WorldType& world, const M& motion,
   moved_.clear();
   const Time<Real> now = found.front().event.time;
   const Together<Real, D> all = together(world, motion, found, now);
-  const ClusterOutcome<Real, D> outcome = resolve_cluster(all.cluster);
+  const ClusterOutcome<Real, D> outcome = resolve_to_rounding(all.cluster);
   std::vector<std::uint32_t> balls;
   for (const auto& m : all.members) balls.push_back(m.ball);
   std::sort(balls.begin(), balls.end());
