@@ -158,6 +158,24 @@ TEST(Horizon, of_a_regular_motion_is_not_reached) {
   EXPECT_LT(h.largest_error, 1e-11);
 }
 
+// Three points on a line, the first of which hits two at rest: ceil(pi / phi) - 1 impacts with cos phi = (1 + r) / (4 sqrt r)
+// above r = 7 - 4 sqrt 3, infinitely many below [McNamara1992]. At 100 digits both sides are told apart within 1e-5: 286
+// impacts above, a collapse below; in their centre of mass, where the velocities that fade are all there is.
+TEST(Precision, collapse_at_a_hundred_digits) {
+  const auto run_at = [](const char* r) {
+    Scene scene = open_space(1);
+    scene.collision.restitution = parse_number(r);
+    scene.balls = {ball({-1}, {parse_number("2/3")}, 0.0), ball({0}, {parse_number("-1/3")}, 0.0),
+                   ball({0.5}, {parse_number("-1/3")}, 0.0)};
+    Simulation simulation(scene, Precision::decimal(100));
+    const Stop stop = simulation.run();
+    return std::pair(stop, simulation.counts().ball_ball);
+  };
+  // 7 - 4 sqrt 3 +- 1e-5
+  EXPECT_EQ(run_at("0.0718067697244908258902146339765105160"), std::pair(Stop::no_events_left, std::int64_t{286}));
+  EXPECT_EQ(run_at("0.0717867697244908258902146339765105160").first, Stop::collapse);
+}
+
 // Every digit asked for is there: head-on, e = 1/3, masses 2 and 3: velocities are rational numbers.
 TEST(Precision, gives_all_digits) {
   Scene scene = open_space(1);
