@@ -226,7 +226,8 @@ class Writer {
 
   [[nodiscard]] double until() const {
     const double crossing = side / (fastest_ > 0 ? fastest_ : 1.0);
-    return accelerated_ && kind_ != Kind::extreme ? std::min(200.0, 50.0 * crossing + 10.0) : 50.0 * crossing;
+    const double long_enough = 50.0 * crossing + (kind_ == Kind::extreme ? 0.0 : 10.0);
+    return accelerated_ ? std::min(200.0, long_enough) : 50.0 * crossing;
   }
 
   static constexpr int side = 8;

@@ -43,6 +43,8 @@ template <Motion M>
     const Vec<Real, D> v = world.balls[i].alive ? velocity_at(motion, world, i, t) : world.balls[i].velocity;
     for (int k = 0; k < D; ++k) {
       size = std::max<Real>(size, abs(v[k]));
+      if (world.balls[i].alive && world.accelerated())
+        size = std::max<Real>(size, abs(world.balls[i].velocity[k]) * elapsed(world.balls[i].time, t));
       const Real there = abs(x[k]), stored = abs(world.balls[i].position[k]);
       size = std::max<Real>(size, std::max<Real>(there, stored));
       if (world.space.periodic()) size = std::max<Real>(size, Real(abs(world.space.lower[k]) + world.space.edge[k]));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "carom/motion/motion.hpp"
+#include "carom/predict/ball_ball.hpp"
 #include "carom/world/state.hpp"
 #include "carom/world/world.hpp"
 
@@ -22,16 +23,16 @@ template <Motion M>
   using std::abs;
   const Real waited = elapsed(since, now);
   const std::uint32_t n = static_cast<std::uint32_t>(world.balls.size());
-  std::vector<Vec<Real, M::dimension>> velocities;
-  for (std::uint32_t i = 0; i < n; ++i) velocities.push_back(velocity_at(motion, world, i, now));
   for (std::uint32_t i = 0; i < n; ++i)
     for (std::uint32_t j = i + 1; j < n; ++j) {
       const auto &a = world.balls[i], &b = world.balls[j];
       if (!a.alive || !b.alive || (a.fixed && b.fixed)) continue;
       if (M::accelerated && a.fixed != b.fixed) return false;
+      // Not from the velocities now, which in a long fall have lost what they differ by.
+      const Vec<Real, M::dimension> relative = relative_state(motion, world, a, b, Image<M::dimension>{}).v;
       int moving = 0;
       for (int k = 0; k < M::dimension; ++k) {
-        const Real v = abs(velocities[j][k] - velocities[i][k]);
+        const Real v = abs(relative[k]);
         moving += v > 0;
         if (v > 0 && waited * v < 2 * world.space.edge[k]) return false;
       }

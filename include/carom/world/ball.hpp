@@ -55,7 +55,7 @@ struct BallDetail {
   std::uint32_t material = 0;  ///< row of the restitution table
   std::int64_t rank = 0;       ///< 1-D: place in the order along the line, which never changes
   std::array<std::int64_t, static_cast<std::size_t>(D)> image{};  ///< periods counted out of the stored position
-  Real reach = Real(0);  ///< [length unit] largest coordinate at its collisions so far: what its rounding is relative to
+  Real reach = Real(0);  ///< [length unit] largest coordinate at, or way between, its collisions: what rounding is relative to
   std::vector<Contact<D>> contacts;           ///< made at the stored time
   Time<Real> last_hit = Time<Real>::never();  ///< its previous collision
   Party last_party = Party::ball;             ///< with whom
