@@ -13,7 +13,7 @@ import sys
 from study import ENGINES, QUICK, built, call, compare, json, HERE, name, number, save, table
 
 SEEDS = (1,) if QUICK else (1, 2, 3)
-UNTIL = 0.2 if QUICK else 3.0
+UNTIL = 0.2 if QUICK else 1.5
 SHORT = 0.02        # [time] of the runs that are timed
 REPEATS = 3 if QUICK else 7
 STEPS = (1e-2, 3e-3, 1e-3) if QUICK else (1e-2, 3e-3, 1e-3, 3e-4)
