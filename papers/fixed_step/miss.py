@@ -10,7 +10,7 @@ import sys
 
 from study import ENGINES, QUICK, built, compare, is_engine, off, phased_steps, save, table
 
-PHASES = 200 if QUICK else 2000
+PHASES = 500 if QUICK else 2000
 ENGINE_PHASES = PHASES // 5
 STEPS_BEFORE = 40      # of the flight to the contact
 SPEED = 1000.0
@@ -72,10 +72,20 @@ def shares(scene_of, length, names, dice):
     return result
 
 
+def missed(zone, length):
+    """Probability that no step ends in a zone of that extent which begins `distance` away, the steps as phased_steps has them.
+
+    With steps distance / (N + u) the next end lies (1 - u) distance / (N + u) inside it, which exceeds the zone for
+    u < (1 - N q) / (1 + q), q = zone / distance. As N grows this is 1 - zone / length; for N = 40 up to 0.01 from it.
+    """
+    q = zone / ((STEPS_BEFORE + 0.5) * length)
+    return max(0.0, (1 - STEPS_BEFORE * q) / (1 + q))
+
+
 def expected_pair(which, b, length):
     """Probabilities (unseen, no impulse); None where the definition of the method does not give one in closed form."""
     chord = 2 * math.sqrt(1 - b * b)
-    unseen, no_push = max(0.0, 1 - chord / length), max(0.0, 1 - chord / 2 / length)
+    unseen, no_push = missed(chord, length), missed(chord / 2, length)
     kind = which.split(":")[0]
     if kind == "discrete":
         return unseen, no_push
@@ -89,7 +99,7 @@ def expected_pair(which, b, length):
 def expected_plate(which, w, length):
     kind = which.split(":")[0]
     if kind == "discrete":
-        return max(0.0, 1 - (w + 1) / length), max(0.0, 1 - (w + 0.5) / length)
+        return missed(w + 1, length), missed(w + 0.5, length)
     if kind in ("swept", "speculative"):
         return None, 0.0
     return None, None
@@ -160,7 +170,7 @@ def orders(dice):
     for length in (0.98, 1.54):
         for front_first, zone in ((False, 0.9), (True, 0.5)):
             m = shares(lambda d, f=front_first: plate(0.4, d, f), length, ["discrete"], dice)["discrete"][1]
-            p = max(0.0, 1 - zone / length)
+            p = missed(zone, length)
             rows.append(("front" if front_first else "back", length, f"{m:.4f}", f"{p:.4f}"))
             good &= not off(m, p, PHASES)
     table(["edge listed first", "step", "discrete no impulse", "formula"], rows)

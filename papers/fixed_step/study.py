@@ -62,7 +62,10 @@ def built(names):
 
 
 def save(file, head, rows):
-    with open(HERE / file, "w", newline="") as table:
+    """Beside the scripts, or under out/ if --quick."""
+    path = HERE / "out" / file if QUICK else HERE / file
+    path.parent.mkdir(exist_ok=True)
+    with open(path, "w", newline="") as table:
         out = csv.writer(table, lineterminator="\n")
         out.writerow(head)
         out.writerows(rows)
