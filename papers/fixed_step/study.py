@@ -45,7 +45,7 @@ def compare(scene, steps, names, *settings, until=None, out=None):
 
 
 def write(text):
-    path = HERE / "out" / "scene.toml"
+    path = HERE / "out" / (pathlib.Path(sys.argv[0]).stem + ".toml")
     path.parent.mkdir(exist_ok=True)
     path.write_text(text)
     return path
