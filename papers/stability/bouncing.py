@@ -34,7 +34,7 @@ def bounces(carom, e):
 
 def rest_time(carom, e, guess):
     """First `until` by which the ball has come to rest, to 1e-13 of it."""
-    low, high = guess * (1 - 1e-9), guess * (1 + 1e-9)
+    low, high = guess * (1 - 1.7e-9), guess * (1 + 1e-9)
     at_rest = [run(carom, e, "--until", repr(t))["events"]["other"] for t in (low, high)]
     assert at_rest == [0, 1]
     while high - low > 1e-13 * guess:

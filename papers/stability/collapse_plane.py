@@ -58,7 +58,7 @@ def edge(carom, precision, straight):
 
 def main():
     carom = sys.argv[1] if len(sys.argv) > 1 else "carom"
-    precisions = sys.argv[2:] or ["double", "50", "100", "200", "400"]
+    precisions = sys.argv[2:] or ["double", "50", "100", "200", "400", "800"]
     good = True
     print(f"9 - 4 sqrt 5 = {critical(1):.6f}, 7 - 4 sqrt 3 = {7 - 4 * math.sqrt(3):.6f}\n")
     print("| chain | precision | collapses at r | impacts | ends at r | impacts | bend at the collapse | edge for that bend | above it by |")

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Energy error against the number of collisions, over 20 seeds: energy.py CAROM
+"""Energy error against the number of collisions, over 20 seeds: energy.py CAROM [SCENE]
 
 Every elastic impact rounds each velocity component once. If that has no bias the error of the energy is a random walk: its
 root mean square grows like sqrt(n), and its mean over seeds stays within its standard error. Prints CSV; the comments are
@@ -37,6 +37,8 @@ def main():
     good = True
     print("scene,collisions,mean,standard_error,root_mean_square,largest")
     for scene, decades in DECADES.items():
+        if len(sys.argv) > 2 and scene != sys.argv[2]:
+            continue
         rms = {}
         for power in decades:
             errors = [run(carom, scene, 10**power, seed) for seed in range(1, SEEDS + 1)]
