@@ -16,6 +16,7 @@ from fractions import Fraction
 
 HERE = pathlib.Path(__file__).parent
 EVENTS = 20_000
+WORD = {True: "yes", False: "no"}
 
 
 def run(carom, start):
@@ -45,7 +46,7 @@ def main():
         whole = shift.denominator == 1
         same_offsets = [(epoch + shift, offset) for epoch, offset in moments] == later
         same = others == columns
-        print(f"| {start} | {whole} | {same_offsets} | {same} | {other['energy']['relative_error']:.3e} |", flush=True)
+        print(f"| {start} | {WORD[whole]} | {WORD[same_offsets]} | {WORD[same]} | {other['energy']['relative_error']:.3e} |", flush=True)
         good &= same and other["energy"] == summary["energy"] and same_offsets == whole
     return 0 if good else 1
 
