@@ -7,7 +7,7 @@ across the ray, R the radius and phi the angle of incidence [Sinai1970; papers/t
   flight s:      kappa <- kappa / (1 + s kappa),   the width grows by the factor 1 + s kappa
   reflection:    kappa <- kappa + 2 / (R cos phi)
 
-so a beam that starts parallel is 10^digits times as wide at the end. This follows the photon in 60 digits by itself, and sets
+so a beam that starts parallel is 10^digits times as wide at the end. This follows the photon in 110 digits by itself, and sets
 the digits beside those of `carom check`, and beside the errors of the final place in double .. 50 digits against 100.
 Prints tables. Exit status 1 if the digits of `carom check`, which end with the last reflection, are off by more than 0.001, or
 if fewer digits are left than those of a rounding less those lost.
