@@ -98,7 +98,7 @@ template <Motion M>
       const Real half = s * (motion.acceleration(motion.phase(b))[0] - motion.acceleration(motion.phase(a))[0]) / 2;
       if (touch == Touch::none && world.law == LawKind::merge && gap < 0) return {Real(0), since};
       if (touch == Touch::none) return {first_fall(gap, rate, half), since};
-      return {touch == Touch::live && rate < 0 ? Real(0) : next_fall(rate, half), since};
+      return {touch == Touch::live && rate < 0 ? Real(0) : return_to_contact(gap, rate, half), since};
     }
     if (touch != Touch::none) return {touch == Touch::live && rate < 0 ? Real(0) : never<Real>(), since};
     if (world.law == LawKind::merge && gap < 0) return {Real(0), since};

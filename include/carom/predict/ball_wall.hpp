@@ -27,7 +27,7 @@ template <Motion M>
   if constexpr (M::accelerated) {
     if (touch == Touch::none) return first_fall(gap, rate, half_acceleration);
     if (touch == Touch::live && rate < 0) return Real(0);
-    return next_fall(rate, half_acceleration);
+    return return_to_contact(gap, rate, half_acceleration);
   } else {
     if (!(rate < 0)) return never<Real>();
     if (touch != Touch::none) return touch == Touch::live ? Real(0) : never<Real>();
@@ -175,7 +175,7 @@ template <Motion M>
     if (touch != Touch::none && side != home) break;  // one parabola from the wall does not come back to its other side
     if (touch != Touch::none) {
       if (touch == Touch::live && approach.rate < 0) return {Real(0), static_cast<std::int8_t>(side)};
-      t = next_fall(approach.rate, approach.half);
+      t = return_to_contact(Real(approach.height - ball.radius), approach.rate, approach.half);
     } else {
       t = descent(approach, ball.radius, side == home);
     }

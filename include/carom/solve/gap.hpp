@@ -57,4 +57,11 @@ template <Real T>
   return g1 > 0 ? T(g1 / -g2) : T(0);
 }
 
+/// When a contact that has just been resolved, g0 = 0 but for rounding, falls again. Rising, the later root is taken with
+/// the gap as it is, so that a body which comes back for ever does not wander off its partner by a rounding each time.
+template <Real T>
+[[nodiscard]] inline T return_to_contact(const T& g0, const T& g1, const T& g2) {
+  return g1 > 0 ? first_fall(g0, g1, g2) : next_fall(g1, g2);
+}
+
 }  // namespace carom
