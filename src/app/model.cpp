@@ -117,6 +117,15 @@ std::vector<std::string> limits_of_steps(const Scene& scene, const std::vector<B
     return {"balls that stick or merge: the fixed-step mode has the law \"restitution\" alone, and compare needs it"};
   std::vector<std::string> list{
       "the order of collisions within a step (all methods but swept:substeps take them as they come), and what follows"};
+  const CollisionSpec& law = scene.collision;
+  if (law.contact_time.value > 0)
+    list.push_back("contact_time: steps and engines dissipate at every impact, however soon it follows another");
+  if (law.regularise == Regularise::viscoelastic)
+    list.push_back("viscoelastic restitution: steps and engines take e as it is given, at every speed");
+  if (law.regularise == Regularise::rest)
+    list.push_back("rest as a state: in steps and engines a ball goes on bouncing on the floor, or sinks, or is put to sleep");
+  if (law.simultaneous == Simultaneous::symmetric)
+    list.push_back("all contacts of one instant together: steps and engines take them one after another");
   double fastest = 0, smallest = std::numeric_limits<double>::infinity();
   bool points = false;
   for (const BallState& b : start) {
