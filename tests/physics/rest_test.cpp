@@ -174,6 +174,44 @@ TEST(Rest, at_the_end_of_a_wall_a_fast_ball_flies_off) {
   }
 }
 
+// Thrown up at 2 with g = 1, a disk or a point hits the table 1/2 above it at sqrt(3) and leaves it at e sqrt(3).
+TEST(Rest, does_not_begin_under_a_wall) {
+  for (const double radius : {0.5, 0.0})
+    for (const double e : {1.0, 0.5}) {
+      Scene scene = resting(2, {0.0, -1.0}, e);
+      scene.walls = {segment({-1.0, 2.0}, {1.0, 2.0})};
+      scene.balls = {ball({0.0, 1.5 - radius}, {0.0, 2.0}, radius)};
+      const Result result = run_until(scene, 2.0);
+      ASSERT_EQ(result.log.size(), 1u);
+      EXPECT_EQ(result.summary.events.other, 0);
+      const double flight = 2.0 - result.log[0].time, w = e * std::sqrt(3.0);
+      EXPECT_NEAR(flight, std::sqrt(3.0), 1e-15);
+      EXPECT_NEAR(result.balls[0].position[1], 2.0 - radius - w * flight - flight * flight / 2, 1e-14);
+      EXPECT_LE(result.summary.energy.relative_error, 1e-15);
+    }
+}
+
+// Under the overhang of a polygon a disk that weighs upwards bounces off both the ceiling and the edge below it.
+TEST(Rest, does_not_begin_on_an_edge_that_a_ball_falls_away_from) {
+  Scene scene = resting(2, {0.0, 0.25}, 0.9);
+  scene.space.kind = SpaceKind::box;
+  scene.space.lower = {0.0, 0.0};
+  scene.space.upper = {8.0, 8.0};
+  WallSpec triangle;
+  triangle.kind = WallKind::polygon;
+  triangle.vertices = {{1.5, 6.5}, {3.5, 6.5}, {1.5, 8.5}};
+  scene.walls = {triangle};
+  scene.balls = {ball({3.75, 7.25}, {-0.625, -0.75})};
+  Simulation simulation(scene);
+  std::int64_t hits_of_edge = 0;
+  const auto count = [&](const Collision& c) { hits_of_edge += c.partner.number == 0; };
+  for (int k = 1; k <= 40; ++k) {
+    simulation.advance(Number(0.25 * k), std::nullopt, count);
+    ASSERT_EQ(simulation.audit(AuditBy::every_pair).overlaps, 0) << k;
+  }
+  EXPECT_GT(hits_of_edge, 0);
+}
+
 // Not held: in the corner of two walls, on another ball, in a circle. Each is a collapse that is named.
 TEST(Rest, elsewhere_is_named) {
   const auto reason = [](const Scene& scene) {

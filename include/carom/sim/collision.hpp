@@ -249,7 +249,8 @@ class Collider {
     std::uint8_t number = 0;
     world.walls.with(event.partner, event.feature, [&](const auto& shape) {
       if constexpr (!std::is_same_v<std::remove_cvref_t<decltype(shape)>, Sphere<Real, D>>) {
-        if (!comes_to_rest<Real, D>(shape, x, outcome.va, a, world.balls[event.ball].radius, e, event.time)) return;
+        const Vector n = towards_ball<Real, D>(shape, Vector(x - wall_drift(world, shape, event.time)), event.side);
+        if (!comes_to_rest<Real, D>(shape, n, x, outcome.va, a, world.balls[event.ball].radius, e, event.time)) return;
         number = static_cast<std::uint8_t>(flat_number(world.walls, shape));
         const Landing<Real, D> rest = set_at_rest(world, shape, event.ball, x, outcome.va, event.time);
         x = rest.position;

@@ -72,15 +72,15 @@ template <class Real, int D, class Shape>
   return rest;
 }
 
-/// Whether a ball that leaves a flat wall from x with velocity v, in acceleration a, has come to rest on it. With
-/// w = n.(v - V) and g = -n.a the next flight takes f = 2 w / g and rises by w^2 / (2 g) [papers/collapse.md, eq. 8]. The
-/// ball rests if f is no tick of the clock; if w is lost in the rounding of v [eq. 6]; or if the rise is lost in the
-/// rounding of x and what the flights lose, (1 - e) f, is no tick, so that the clock can tell no bounce from the next.
+/// Whether a ball that leaves a flat wall from x with velocity v, in acceleration a, has come to rest on it; n is the
+/// wall's normal on the ball's side. With w = n.(v - V) and g = -n.a the next flight takes f = 2 w / g and rises by
+/// w^2 / (2 g) [papers/collapse.md, eq. 8]. The ball rests if f is no tick of the clock; if w is lost in the rounding of v
+/// [eq. 6]; or if the rise is lost in the rounding of x and what the flights lose, (1 - e) f, is no tick, so that the clock
+/// can tell no bounce from the next.
 template <class Real, int D, class Shape>
-[[nodiscard]] bool comes_to_rest(const Shape& shape, const Vec<Real, D>& x, const Vec<Real, D>& v, const Vec<Real, D>& a,
-                                 const Real& radius, const Real& e, const Time<Real>& now) {
+[[nodiscard]] bool comes_to_rest(const Shape& shape, const Vec<Real, D>& n, const Vec<Real, D>& x, const Vec<Real, D>& v,
+                                 const Vec<Real, D>& a, const Real& radius, const Real& e, const Time<Real>& now) {
   using std::abs;
-  const Vec<Real, D> n = normal_against<Real, D>(shape, a);
   const Real g = -dot<Real, D>(n, a);
   if (!(g > 0)) return false;
   const NormalSpeed<Real> speed = normal_speed<Real, D>(n, v, wall_velocity(shape));
