@@ -174,6 +174,20 @@ TEST(Rest, at_the_end_of_a_wall_a_fast_ball_flies_off) {
   }
 }
 
+// At the moment at which it slides off the end of the table a disk hits the side of the box, which sends it back.
+TEST(Rest, goes_on_if_a_hit_at_the_end_of_the_wall_leads_back) {
+  Scene scene = resting(2, {0.0, -0.25}, 1.0);
+  scene.space.kind = SpaceKind::box;
+  scene.space.lower = {0.0, 0.0};
+  scene.space.upper = {8.0, 8.0};
+  scene.walls = {segment({0.5, 2.0}, {6.5, 2.0})};
+  scene.balls = {ball({1.5, 2.5}, {-1.0, 0.0})};
+  const Result result = run_until(scene, 4.0);
+  EXPECT_EQ(result.log.size(), 1u);
+  EXPECT_EQ(result.balls[0].position, (std::vector<Number>{3.5, 2.5}));
+  EXPECT_EQ(result.balls[0].velocity, (std::vector<Number>{1.0, 0.0}));
+}
+
 // Thrown up at 2 with g = 1, a disk or a point hits the table 1/2 above it at sqrt(3) and leaves it at e sqrt(3).
 TEST(Rest, does_not_begin_under_a_wall) {
   for (const double radius : {0.5, 0.0})

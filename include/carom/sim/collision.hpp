@@ -226,6 +226,7 @@ class Collider {
   void write(WorldType& world, const M& motion, std::uint32_t i, Vector& x, Vector& v, const Time<Real>& now) {
     if constexpr (M::can_rest) {
       inject(books, work_at_rest(world, i, now));
+      take_back(world, i, x, v, now);
       const std::optional<Landing<Real, D>> still = stay(world, i, x, v, now);
       const bool flies = world.balls[i].held != 0 && !still;
       if (still) take(*still, x, v);

@@ -120,6 +120,28 @@ void release(World<Real, D>& world, std::uint32_t i, bool left = false) {
   world.balls[i].held = 0;
 }
 
+/// Ball i has slid off the end of a segment at this very moment and is hit: if v leads back over the segment, it has not
+/// left.
+template <class Real, int D>
+void take_back(World<Real, D>& world, std::uint32_t i, const Vec<Real, D>& x, const Vec<Real, D>& v,
+               const Time<Real>& now) {
+  if constexpr (D == 2) {
+    Ball<Real, D>& ball = world.balls[i];
+    if (ball.held != 0 || !ball.in_contact || ball.time != now) return;
+    for (Contact<D>& c : world.details[i].contacts)
+      if (c.left)
+        world.walls.with(c.partner, c.feature, [&](const auto& shape) {
+          if constexpr (std::is_same_v<std::remove_cvref_t<decltype(shape)>, Segment<Real>>) {
+            const Vec<Real, D> middle = (shape.from + shape.to) / 2 + wall_drift(world, shape, now);
+            const Real offset = dot<Real, D>(shape.along, x - middle), rate = dot<Real, D>(shape.along, v - shape.velocity);
+            if (!(offset < 0 ? rate > 0 : rate < 0)) return;
+            c.left = false;
+            ball.held = static_cast<std::uint8_t>(flat_number(world.walls, shape));
+          }
+        });
+  }
+}
+
 /// Work that a moving wall has done on a ball which rests on it, from its stored time to t: -m (n.a) (n.V) / (n.n) a unit
 /// of time [papers/collapse.md, eq. 10].
 template <class Real, int D>
