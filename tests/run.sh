@@ -15,12 +15,11 @@ sanitized=(core solve scene world sim golden)
 need_packages "${build_packages[@]}" "${test_packages[@]}"
 jobs=$(nproc)
 
-cmake --preset release -DCAROM_BUILD_APP=ON -DCAROM_BUILD_TESTS=ON -DCAROM_WARNINGS_AS_ERRORS=ON \
-  -DCAROM_PRECOMPILED_HEADERS=ON
+cmake --preset release -DCAROM_BUILD_APP=ON -DCAROM_BUILD_TESTS=ON -DCAROM_WARNINGS_AS_ERRORS=ON
 cmake --build --preset release --parallel "$jobs"
 ctest --preset release --parallel "$jobs"
 
-cmake --preset sanitize -DCAROM_WARNINGS_AS_ERRORS=ON -DCAROM_PRECOMPILED_HEADERS=ON
+cmake --preset sanitize -DCAROM_WARNINGS_AS_ERRORS=ON
 targets=()
 for stage in "${sanitized[@]}"; do
   if [[ -d build/sanitize/tests/$stage ]]; then targets+=("tests/$stage/all"); fi

@@ -6,13 +6,6 @@ function(carom_floating_point_contract target)
   target_compile_definitions(${target} PUBLIC $<$<CONFIG:Debug,RelWithDebInfo>:CAROM_CHECKS>)
 endfunction()
 
-# Headers of other libraries that many sources of a target include: read once, if CAROM_PRECOMPILED_HEADERS is on.
-function(carom_precompile target)
-  if(CAROM_PRECOMPILED_HEADERS)
-    target_precompile_headers(${target} PRIVATE ${ARGN})
-  endif()
-endfunction()
-
 # Not -Wmaybe-uninitialized, -Wrestrict: g++ 12 reports them wrongly inside <regex>, Boost's cpp_int and std::string.
 function(carom_warnings target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
