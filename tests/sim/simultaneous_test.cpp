@@ -133,6 +133,21 @@ TEST(Symmetric, every_engine_and_a_resumed_run_agree) {
   }
 }
 
+// A point that lies at rest on a vertex and is hit: the vertex has no direction to act in, and no number is lost to it.
+TEST(Symmetric, point_at_rest_on_a_vertex) {
+  Scene scene = open_space(2);
+  WallSpec segment;
+  segment.kind = WallKind::segment;
+  segment.from = {0.0, 0.0};
+  segment.to = {2.0, 0.0};
+  scene.walls = {segment};
+  scene.balls = {ball({0.0, 0.0}, {0.0, 0.0}, 0.0), ball({0.0, 3.0}, {0.0, -1.0}), ball({-4.0, 0.0}, {1.0, 0.0})};
+  const Result r = run_until(symmetric(scene), 10.0);
+  EXPECT_GT(r.log.size(), 0u);
+  for (const BallState& b : r.balls) EXPECT_TRUE(std::isfinite(b.velocity[0].value) && std::isfinite(b.velocity[1].value));
+  EXPECT_LE(r.summary.energy.relative_error, 1e-15);
+}
+
 // Momentum and energy over many breaks with different masses, and no overlap on the way.
 TEST(Symmetric, conserves_through_many_clusters) {
   for (const double e : {1.0, 0.8}) {

@@ -62,8 +62,8 @@ class TogetherMaker {
       contact.b = e.kind == EventKind::ball_ball ? member(e.partner) : Result::none;
       if (e.kind == EventKind::ball_ball) {
         meet_ball(contact);
-      } else {
-        meet_wall(contact);
+      } else if (!meet_wall(contact)) {
+        continue;
       }
       result_.contacts.push_back(std::move(contact));
     }
@@ -104,7 +104,8 @@ class TogetherMaker {
     result_.cluster.contacts.push_back({a.body, b.body, impact.r, impact.e});
   }
 
-  void meet_wall(typename Result::Contact& c) {
+  /// False for a point at rest at a vertex: there is no direction to act in.
+  [[nodiscard]] bool meet_wall(typename Result::Contact& c) {
     const auto& a = result_.members[c.a];
     Impact<Real, D>& impact = c.impact;
     impact.va = a.velocity;
@@ -122,9 +123,11 @@ class TogetherMaker {
       c.gap = shape.gap(at) - c.radii;
       flat = flat_number(world_.walls, shape) != 0;
     });
+    if (c.singular && impact.va == impact.vb) return false;
     impact.e = restitution_at_wall(world_, impact, a.ball, c.event.partner, flat, now_);
     result_.cluster.contacts.push_back({a.body, result_.cluster.bodies.size(), impact.r, impact.e});
     result_.cluster.bodies.push_back({impact.mb, impact.vb});
+    return true;
   }
 
   const World<Real, D>& world_;
