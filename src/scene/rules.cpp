@@ -156,13 +156,6 @@ void judge_run(Judgement& j) {
   if (r.sample_every) rules.positive("sample_every", *r.sample_every, "the time between frames is above 0");
 }
 
-void judge_engine(Judgement& j) {
-  const EngineSpec& e = j.scene.engine;
-  TableRules rules(j, {"engine"}, e.where);
-  rules.unbuilt("engine.search", word_for<SearchKind>(search_kinds, e.search));
-  rules.unbuilt("engine.queue", word_for<QueueKind>(queue_kinds, e.queue));
-}
-
 void judge_observe(Judgement& j) {
   const ObserveSpec& o = j.scene.observe;
   TableRules rules(j, {"observe"}, o.where);
@@ -228,7 +221,6 @@ std::vector<Finding> findings(const Scene& scene) {
   judge_gases(j);
   judge_walls(j);
   judge_run(j);
-  judge_engine(j);
   judge_observe(j);
   judge_output(j);
   judge_presence(j);

@@ -215,6 +215,7 @@ EngineSpec read_engine(TableReader t) {
   e.where = t.where();
   t.word<SearchKind>("search", search_kinds, e.search);
   t.word<QueueKind>("queue", queue_kinds, e.queue);
+  t.flag("vectors", e.vectors);
   t.finish();
   return e;
 }

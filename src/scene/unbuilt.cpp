@@ -29,8 +29,6 @@ constexpr std::array unbuilt{
     Unbuilt{"wall.velocity", "circle"},
     Unbuilt{"wall.velocity", "polygon"},
     Unbuilt{"table"},
-    Unbuilt{"engine.search", "neighbour_list"},
-    Unbuilt{"engine.queue", "calendar"},
     Unbuilt{"observe.radial_distribution"},
     Unbuilt{"observe.mean_squared_displacement"},
     Unbuilt{"observe.velocity_autocorrelation"},

@@ -5,6 +5,8 @@
 
 #include "carom/motion/free_flight.hpp"
 #include "carom/motion/uniform_acceleration.hpp"
+#include "carom/core/error.hpp"
+#include "carom/queue/calendar_queue.hpp"
 #include "carom/queue/heap_queue.hpp"
 #include "carom/queue/sorted_queue.hpp"
 #include "carom/search/all_pairs.hpp"
@@ -19,11 +21,17 @@ namespace detail {
 template <class Search, Motion M>
 std::unique_ptr<Simulation::Engine> make_composed(const Scene& scene, World<typename M::Real, M::dimension> world,
                                                   const M& motion, Composition composition, Search search) {
-  using Queue = HeapQueue<typename M::Real, M::dimension>;
-  composition.queue = Queue::name;
+  const auto make = [&]<class Queue>() -> std::unique_ptr<Simulation::Engine> {
+    composition.queue = Queue::name;
+    return std::make_unique<ComposedEngine<WorldIntegrator<M, Search, Queue>>>(scene, std::move(world), motion,
+                                                                               std::move(composition), std::move(search));
+  };
+  if (scene.engine.queue == QueueKind::calendar) {
+    composition.reasons.push_back("calendar (as [engine] asks): constant time a change, tuned as the run goes");
+    return make.template operator()<CalendarQueue<typename M::Real, M::dimension>>();
+  }
   composition.reasons.push_back("heap: O(log N) a change, nothing to tune");
-  return std::make_unique<ComposedEngine<M, Search, Queue>>(scene, std::move(world), motion, std::move(composition),
-                                                            std::move(search));
+  return make.template operator()<HeapQueue<typename M::Real, M::dimension>>();
 }
 
 template <Motion M>
@@ -35,6 +43,19 @@ std::unique_ptr<Simulation::Engine> choose_search(const Scene& scene, World<type
   const std::size_t n = world.balls.size();
   SearchKind search = scene.engine.search;
   const bool chosen = search == SearchKind::automatic;
+  if constexpr (std::is_same_v<M, FreeFlight<double, D>> && D > 1) {
+    const bool asked = search == SearchKind::neighbour_list;
+    const bool enough = asked || scene.engine.queue == QueueKind::calendar || n >= many_balls;
+    if ((chosen || asked) && scene.engine.queue != QueueKind::heap && enough && swarm_fits(world)) {
+      composition.reasons.push_back(fmt::format("neighbour lists{}: {} balls", asked ? " (as [engine] asks)" : "", n));
+      return make_swarm_engine<D>(scene, std::move(world), std::move(composition));
+    }
+  }
+  if (search == SearchKind::neighbour_list)
+    throw InputError(Problem{scene.file, scene.engine.where.line, "engine.search = \"neighbour_list\" does not fit this scene",
+                             "it takes lone balls with a radius in free flight, in a box or a periodic space at least three "
+                             "shells wide, law \"restitution\" with contacts one by one, and the calendar as queue",
+                             "Leave engine.search out, or use \"cells\""});
   if (chosen) search = n <= few_balls ? SearchKind::all_pairs : SearchKind::cells;
   const char* who = chosen ? "" : " (as [engine] asks)";
   if (search == SearchKind::all_pairs && !world.space.periodic()) {
@@ -68,7 +89,7 @@ std::unique_ptr<Simulation::Engine> make_reference(const Scene& scene, World<typ
   const bool few = world.balls.size() <= few_balls && scene.engine.search != SearchKind::cells;
   const bool one_cell = !few && world.balls.size() <= bearable_pairs;
   Composition composition{M::name, one_cell ? "one cell" : Search::name, Queue::name, {}};
-  return std::make_unique<ComposedEngine<M, Search, Queue>>(scene, std::move(world), motion, std::move(composition),
+  return std::make_unique<ComposedEngine<WorldIntegrator<M, Search, Queue>>>(scene, std::move(world), motion, std::move(composition),
                                                             Search(one_cell ? Layout::one_cell : Layout::fitted));
 }
 

@@ -30,7 +30,7 @@ std::unique_ptr<Simulation::Engine> make_precise(const Scene& scene, World<typen
   composition.reasons.push_back(M::accelerated ? "uniform acceleration: every ball that is not fixed flies a parabola"
                                                : "free flight: no acceleration, so paths are straight lines");
   composition.reasons.push_back(fmt::format("{} and a heap: {} balls in a precision other than double", composition.search, n));
-  return std::make_unique<ComposedEngine<M, Search, Queue>>(scene, std::move(world), motion, std::move(composition),
+  return std::make_unique<ComposedEngine<WorldIntegrator<M, Search, Queue>>>(scene, std::move(world), motion, std::move(composition),
                                                             Search(few ? Layout::one_cell : Layout::fitted), precision);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// An EventDriven of one motion, search and queue, and the translation of its results into the user's units.
+// An integrator with its world, and the translation of its results into the user's units.
 
 #include <algorithm>
 #include <cmath>
@@ -15,65 +15,115 @@
 
 namespace carom {
 
+/// What ComposedEngine asks of an integrator: it owns a world, in whatever form, and moves it. `world` is that, or a view with
+/// its members; `ledger` has counts, exactness, books and watch; `reason` says why the run stopped.
+template <class I>
+concept Integrator = requires(I& i, const I& c, const Time<typename I::Motion::Real>& t) {
+  typename I::Motion;
+  c.world();
+  c.ledger();
+  {c.now()};
+  {c.reason()};
+  {i.reverse(t)};
+  {i.copy()};
+};
+
+/// EventDriven and the world that it moves.
 template <Motion M, class Search, class Queue>
-class ComposedEngine final : public Simulation::Engine {
+class WorldIntegrator {
  public:
+  using Motion = M;
   using Real = typename M::Real;
   static constexpr int D = M::dimension;
 
-  /// Made within a PrecisionScope<Real> of `precision`, as every method enters it.
-  ComposedEngine(const Scene& scene, World<Real, D> world, const M& motion, Composition composition, Search search,
+  WorldIntegrator(World<Real, D>&& world, const M& motion, Search search)
+      : world_(std::move(world)), engine_(world_, motion, std::move(search)) {}
+  WorldIntegrator(const WorldIntegrator&) = delete;
+  WorldIntegrator& operator=(const WorldIntegrator&) = delete;
+
+  template <class Sink>
+  Stop advance(const Time<Real>& until, std::int64_t collisions, Sink&& sink, const std::atomic<bool>* interrupt) {
+    return engine_.advance(until, collisions, sink, interrupt);
+  }
+  void reverse(const Time<Real>& t) { engine_.reverse(t); }
+  [[nodiscard]] const Time<Real>& now() const { return engine_.now(); }
+  [[nodiscard]] const World<Real, D>& world() const { return world_; }
+  [[nodiscard]] World<Real, D> copy() const { return world_; }
+  [[nodiscard]] const Collider<M>& ledger() const { return engine_.collider(); }
+  [[nodiscard]] StopDetail reason() const { return {engine_.collider().reason, engine_.collider().reason_balls, {}}; }
+  void restore(World<Real, D>&& world, Collider<M>&& ledger, const Time<Real>& now) {
+    world_ = std::move(world);
+    engine_.collider() = std::move(ledger);
+    engine_.resume(now);
+  }
+
+ private:
+  World<Real, D> world_;
+  EventDriven<M, Search, Queue> engine_;
+};
+
+template <Integrator I>
+class ComposedEngine final : public Simulation::Engine {
+ public:
+  using M = typename I::Motion;
+  using Real = typename M::Real;
+  static constexpr int D = M::dimension;
+
+  /// Made within a PrecisionScope<Real> of `precision`, as every method enters it. `setup` is what the integrator takes
+  /// beside a world and a motion.
+  template <class Setup>
+  ComposedEngine(const Scene& scene, World<Real, D> world, const M& motion, Composition composition, Setup setup,
                  const Precision& precision = {})
       : Engine(scene, std::move(composition)),
         precision_(precision),
-        world_(std::move(world)),
-        engine_(world_, motion, std::move(search)),
-        reached_(world_.start),
-        start_(totals_at(motion, world_, world_.start)) {
-    scene_print_ = print_of_scene();
-    conserved_momentum_ = world_.walls.empty() && !world_.accelerated();
-    for (const auto& d : world_.details) conserved_momentum_ = conserved_momentum_ && !detail::infinite(d.mass);
+        motion_(motion),
+        reached_(world.start),
+        start_(totals_at(motion, world, world.start)),
+        conserved_momentum_(world.walls.empty() && !world.accelerated()),
+        scene_print_(print_of_scene(world)) {
+    for (const auto& d : world.details) conserved_momentum_ = conserved_momentum_ && !detail::infinite(d.mass);
+    integrator_.emplace(std::move(world), motion, std::move(setup));
   }
 
   Stop advance(const std::optional<Number>& to, std::optional<std::int64_t> most, const CollisionSink& sink,
                const std::atomic<bool>* interrupt) override {
     const Scope scope(precision_.digits);
-    Time<Real> end = to ? clock_time<Real>(*to, world_.units.time) : Time<Real>::never();
+    Time<Real> end = to ? clock_time<Real>(*to, world().units.time) : Time<Real>::never();
     if (end < reached_) end = reached_;
     const std::int64_t collisions = most.value_or(std::numeric_limits<std::int64_t>::max());
-    stop_ = sink ? engine_.advance(end, collisions, Translate{*this, sink}, interrupt)
-                 : engine_.advance(end, collisions, NoSink{}, interrupt);
+    stop_ = sink ? integrator_->advance(end, collisions, Translate{*this, sink}, interrupt)
+                   : integrator_->advance(end, collisions, NoSink{}, interrupt);
     const bool to_the_end = (stop_ == Stop::until || stop_ == Stop::no_events_left) && !end.is_never();
     if (to_the_end) {
       reached_ = end;
-    } else if (engine_.now() > reached_) {
-      reached_ = engine_.now();
+    } else if (integrator_->now() > reached_) {
+      reached_ = integrator_->now();
     }
     return stop_;
   }
 
   void return_to_last_event() override {
     const Scope scope(precision_.digits);
-    reached_ = engine_.now();
+    reached_ = integrator_->now();
   }
   void reverse() override {
     const Scope scope(precision_.digits);
-    engine_.reverse(reached_);
+    integrator_->reverse(reached_);
   }
 
   [[nodiscard]] Number time() const override {
     const Scope scope(precision_.digits);
     return in_users_time(reached_);
   }
-  [[nodiscard]] const EventCounts& counts() const override { return engine_.counts(); }
-  [[nodiscard]] std::uint32_t ball_count() const override { return static_cast<std::uint32_t>(world_.balls.size()); }
-  [[nodiscard]] bool alive(std::uint32_t i) const override { return world_.balls.at(i).alive; }
-  [[nodiscard]] std::uint32_t wall_count() const override { return static_cast<std::uint32_t>(world_.walls.labels.size()); }
-  [[nodiscard]] std::string wall_label(std::uint32_t wall) const override { return world_.walls.labels.at(wall); }
-  [[nodiscard]] Units units() const override { return world_.units; }
+  [[nodiscard]] const EventCounts& counts() const override { return integrator_->ledger().counts; }
+  [[nodiscard]] std::uint32_t ball_count() const override { return static_cast<std::uint32_t>(world().balls.size()); }
+  [[nodiscard]] bool alive(std::uint32_t i) const override { return world().balls.at(i).alive; }
+  [[nodiscard]] std::uint32_t wall_count() const override { return static_cast<std::uint32_t>(world().walls.labels.size()); }
+  [[nodiscard]] std::string wall_label(std::uint32_t wall) const override { return world().walls.labels.at(wall); }
+  [[nodiscard]] Units units() const override { return world().units; }
   [[nodiscard]] std::array<double, 3> periods() const override {
     std::array<double, 3> edge{};
-    for (int k = 0; k < D && world_.space.periodic(); ++k) edge[k] = near(world_.space.edge[k], world_.units.length);
+    for (int k = 0; k < D && world().space.periodic(); ++k) edge[k] = near(world().space.edge[k], world().units.length);
     return edge;
   }
 
@@ -81,26 +131,26 @@ class ComposedEngine final : public Simulation::Engine {
     const Scope scope(precision_.digits);
     BallState state;
     state.index = i;
-    state.name = world_.details.at(i).name;
-    Vec<Real, D> x = position_at(engine_.motion(), world_, i, reached_);
-    const Vec<Real, D> v = velocity_at(engine_.motion(), world_, i, reached_);
-    const auto far = unwrapped(world_, i, x);
-    const auto turns = wrap(world_.space, x);
+    state.name = world().details.at(i).name;
+    Vec<Real, D> x = position_at(motion_, world(), i, reached_);
+    const Vec<Real, D> v = velocity_at(motion_, world(), i, reached_);
+    const auto far = unwrapped(world(), i, x);
+    const auto turns = wrap(world().space, x);
     for (int k = 0; k < D; ++k) {
-      state.position.push_back(user(x[k], world_.units.length));
-      state.image.push_back(world_.details[i].image[k] + turns[k]);
-      state.unwrapped_position.push_back(user(narrow(far[k]), world_.units.length));
-      state.velocity.push_back(user(v[k], world_.units.velocity()));
+      state.position.push_back(user(x[k], world().units.length));
+      state.image.push_back(world().details[i].image[k] + turns[k]);
+      state.unwrapped_position.push_back(user(narrow(far[k]), world().units.length));
+      state.velocity.push_back(user(v[k], world().units.velocity()));
     }
-    state.radius = user(world_.balls[i].radius, world_.units.length);
-    state.mass = user(world_.details[i].mass, world_.units.mass);
+    state.radius = user(world().balls[i].radius, world().units.length);
+    state.mass = user(world().details[i].mass, world().units.mass);
     return state;
   }
 
   [[nodiscard]] Audit audit(AuditBy by) const override {
     const Scope scope(precision_.digits);
-    Audit result = carom::audit(engine_.motion(), world_, reached_, by);
-    result.deepest = std::ldexp(result.deepest, world_.units.length);
+    Audit result = carom::audit(motion_, world(), reached_, by);
+    result.deepest = std::ldexp(result.deepest, world().units.length);
     return result;
   }
 
@@ -110,7 +160,7 @@ class ComposedEngine final : public Simulation::Engine {
     archive.out.put(checkpoint_magic);
     archive.out.put(checkpoint_version);
     archive.out.put(scene_print_);
-    visit(archive, world_, engine_.collider(), engine_.now(), reached_);
+    visit(archive, world(), integrator_->ledger(), integrator_->now(), reached_);
     const std::uint64_t print = fingerprint(archive.out.bytes());
     archive.out.put(print);
     return archive.out.bytes();
@@ -131,8 +181,10 @@ class ComposedEngine final : public Simulation::Engine {
       refuse("the checkpoint is damaged", "Use an earlier one");
     if (head.get<std::uint64_t>() != scene_print_)
       refuse("the checkpoint is of another scene", "Resume it with the scene that it was made from");
-    World<Real, D> world = world_;
-    Collider<M> collider = engine_.collider();
+    World<Real, D> world = integrator_->copy();
+    std::vector<std::string> names;
+    for (const auto& d : world.details) names.push_back(d.name);
+    Collider<M> collider;
     Time<Real> now, reached;
     try {
       ReadingArchive archive{ByteReader(bytes.substr(3 * print_size, bytes.size() - 4 * print_size))};
@@ -141,11 +193,9 @@ class ComposedEngine final : public Simulation::Engine {
     } catch (const std::out_of_range&) {
       refuse("the checkpoint is damaged", "Use an earlier one");
     }
-    for (std::size_t i = 0; i < world.details.size(); ++i) world.details[i].name = world_.details[i].name;
-    world_ = std::move(world);
-    engine_.collider() = std::move(collider);
+    for (std::size_t i = 0; i < world.details.size(); ++i) world.details[i].name = std::move(names[i]);
     reached_ = reached;
-    engine_.resume(now);
+    integrator_->restore(std::move(world), std::move(collider), now);
   }
 
   [[nodiscard]] Summary summary() const override {
@@ -157,18 +207,18 @@ class ComposedEngine final : public Simulation::Engine {
     s.composition = composition().text();
     s.precision = precision_.text();
     s.seed = seed;
-    s.epoch_length = world_.units.epoch_length();
+    s.epoch_length = world().units.epoch_length();
     s.time = in_users_time(reached_);
     s.stopped_by = stop_;
     if (stop_ == Stop::collapse || stop_ == Stop::non_finite)
-      s.stopped = StopDetail{engine_.collider().reason, engine_.collider().reason_balls, in_users_time(engine_.now())};
-    s.events = engine_.counts();
-    const Totals<Real, D> now = totals_at(engine_.motion(), world_, reached_);
+      s.stopped = StopDetail{integrator_->reason().reason, integrator_->reason().balls, in_users_time(integrator_->now())};
+    s.events = counts();
+    const Totals<Real, D> now = totals_at(motion_, world(), reached_);
     s.energy = energy(now);
     s.momentum = momentum(now);
     s.angular_momentum = angular_momentum(now);
-    const Exactness<Real>& e = engine_.exactness();
-    s.exactness = {user(e.max_gap_error, world_.units.length),
+    const Exactness<Real>& e = integrator_->ledger().exactness;
+    s.exactness = {user(e.max_gap_error, world().units.length),
                    user(e.max_gap_error_relative, 0),
                    e.clamped,
                    e.unresolved,
@@ -186,7 +236,7 @@ class ComposedEngine final : public Simulation::Engine {
 
   /// Writes what is constant, reads into what is not.
   template <class Archive>
-  static void visit(Archive& archive, auto& world, auto& collider, auto& now, auto& reached) {
+  static void visit(Archive& archive, auto&& world, auto&& collider, auto&& now, auto&& reached) {
     StateVisitor<Archive> visitor(archive);
     visitor.time(now);
     visitor.time(reached);
@@ -198,28 +248,28 @@ class ComposedEngine final : public Simulation::Engine {
   }
 
   /// Of all that the scene decides: the balls at the start, the walls, the laws and the space.
-  [[nodiscard]] std::uint64_t print_of_scene() const {
+  [[nodiscard]] static std::uint64_t print_of_scene(const World<Real, D>& world) {
     WritingArchive archive;
-    StateVisitor<WritingArchive>(archive).world(world_);
+    StateVisitor<WritingArchive>(archive).world(world);
     archive(D);
-    archive(world_.units.length);
-    archive(world_.units.time);
-    archive(world_.units.mass);
-    archive(world_.start.epoch);
-    archive(world_.start.offset);
-    archive(world_.law);
-    archive(world_.simultaneous);
-    archive(world_.regularise);
-    archive(world_.contact_time);
-    archive(world_.reference_speed);
-    archive(world_.space.kind);
+    archive(world.units.length);
+    archive(world.units.time);
+    archive(world.units.mass);
+    archive(world.start.epoch);
+    archive(world.start.offset);
+    archive(world.law);
+    archive(world.simultaneous);
+    archive(world.regularise);
+    archive(world.contact_time);
+    archive(world.reference_speed);
+    archive(world.space.kind);
     for (int k = 0; k < D; ++k) {
-      archive(world_.space.lower[k]);
-      archive(world_.space.edge[k]);
-      archive(world_.acceleration[k]);
+      archive(world.space.lower[k]);
+      archive(world.space.edge[k]);
+      archive(world.acceleration[k]);
     }
-    for (const Real& e : world_.restitution.values()) archive(e);
-    world_.walls.for_each([&](const auto& shape) {
+    for (const Real& e : world.restitution.values()) archive(e);
+    world.walls.for_each([&](const auto& shape) {
       archive(index(shape.wall));
       archive(shape.feature);
       // Where it stands, seen from the corners of a simplex: no two shapes of a kind look alike from all of them.
@@ -237,11 +287,11 @@ class ComposedEngine final : public Simulation::Engine {
   /// The nearest double, in the user's unit.
   [[nodiscard]] static double near(const Real& x, int exponent) { return std::ldexp(static_cast<double>(x), exponent); }
   [[nodiscard]] double nearest_time(const Time<Real>& t) const {
-    return near(narrow(W(W(Real(t.epoch)) + W(t.offset))), world_.units.time);
+    return near(narrow(W(W(Real(t.epoch)) + W(t.offset))), world().units.time);
   }
   [[nodiscard]] static Number user(const Real& x, int exponent) { return quantity(x, exponent); }
   [[nodiscard]] Number in_users_time(const Time<Real>& t) const {
-    return user(narrow(W(W(Real(t.epoch)) + W(t.offset))), world_.units.time);
+    return user(narrow(W(W(Real(t.epoch)) + W(t.offset))), world().units.time);
   }
 
   // 0/0 is 0; a nonzero error of nothing is infinite, and says so.
@@ -252,19 +302,19 @@ class ComposedEngine final : public Simulation::Engine {
   }
 
   [[nodiscard]] EnergyBalance energy(const Totals<Real, D>& now) const {
-    const EnergyBooks<Real>& books = engine_.books();
+    const EnergyBooks<Real>& books = integrator_->ledger().books;
     const W initial = start_.kinetic + start_.potential, final = now.kinetic + now.potential;
     W injected = books.injected;
     if constexpr (M::can_rest)
-      for (std::uint32_t i = 0; i < world_.balls.size(); ++i) injected = injected + work_at_rest(world_, i, reached_);
+      for (std::uint32_t i = 0; i < world().balls.size(); ++i) injected = injected + work_at_rest(world(), i, reached_);
     const Real error = narrow(W((final - initial) + (books.dissipated - injected)));
     // kinetic + potential + dissipated = initial + injected at every moment, so it is largest where injected is. Potential
     // counts from the lowest place that a ball was seen at.
     W lowest(Real(0));
-    if (world_.accelerated() && start_.mass > W(Real(0)))
+    if (world().accelerated() && start_.mass > W(Real(0)))
       lowest = start_.mass * W(std::min(books.lowest_potential, now.lowest_potential));
     const Real largest = narrow(W(initial - lowest)) + 2 * std::max<Real>(books.largest_injected, narrow(injected));
-    const int unit = world_.units.energy();
+    const int unit = world().units.energy();
     return {user(narrow(initial), unit), user(narrow(final), unit), user(narrow(books.dissipated), unit),
             user(narrow(injected), unit), ratio(error, largest)};
   }
@@ -285,14 +335,14 @@ class ComposedEngine final : public Simulation::Engine {
     return b;
   }
   [[nodiscard]] VectorBalance momentum(const Totals<Real, D>& now) const {
-    return balance(start_.momentum, now.momentum, D, start_.momentum_size, conserved_momentum_, world_.units.momentum());
+    return balance(start_.momentum, now.momentum, D, start_.momentum_size, conserved_momentum_, world().units.momentum());
   }
   [[nodiscard]] VectorBalance angular_momentum(const Totals<Real, D>& now) const {
     // A ball that starts at the origin has none to compare with; then what it has now.
     const Real size = start_.angular_momentum_size > 0 ? start_.angular_momentum_size : now.angular_momentum_size;
     return balance(start_.angular_momentum, now.angular_momentum, Totals<Real, D>::rotations, size,
-                   conserved_momentum_ && D > 1 && !world_.space.periodic() && world_.law == LawKind::restitution,
-                   world_.units.angular_momentum());
+                   conserved_momentum_ && D > 1 && !world().space.periodic() && world().law == LawKind::restitution,
+                   world().units.angular_momentum());
   }
 
   /// Hands records on as collisions in the user's units.
@@ -302,7 +352,7 @@ class ComposedEngine final : public Simulation::Engine {
     const CollisionSink& sink;
 
     void operator()(const Record<Real, D>& r) const {
-      const Units& u = engine.world_.units;
+      const Units& u = engine.world().units;
       Collision c;
       c.time = engine.nearest_time(r.time);
       c.epoch = r.time.epoch;
@@ -352,14 +402,16 @@ class ComposedEngine final : public Simulation::Engine {
     }
   };
 
+  [[nodiscard]] decltype(auto) world() const { return integrator_->world(); }
+
   Precision precision_;
-  World<Real, D> world_;
-  EventDriven<M, Search, Queue> engine_;
+  M motion_;
   Time<Real> reached_;
   Totals<Real, D> start_;
   bool conserved_momentum_ = false;
-  Stop stop_ = Stop::until;
   std::uint64_t scene_print_ = 0;
+  Stop stop_ = Stop::until;
+  std::optional<I> integrator_;
 };
 
 }  // namespace carom

@@ -56,6 +56,17 @@ class Simulation::Engine {
 /// Up to this many balls all pairs is taken. Disks in a box at area fraction 0.3 put the crossing to cells between 8 and 16.
 inline constexpr std::size_t few_balls = 12;
 
+/// From so many balls on the integrator for many is taken where it fits.
+inline constexpr std::size_t many_balls = 200;
+
+/// True if the integrator for many balls can move this world: lone balls in free flight, in a box or a periodic space that
+/// holds three shells a side, law "restitution", contacts one by one.
+template <int D>
+[[nodiscard]] bool swarm_fits(const World<double, D>& world);
+template <int D>
+[[nodiscard]] std::unique_ptr<Simulation::Engine> make_swarm_engine(const Scene& scene, World<double, D> world,
+                                                                    Composition composition);
+
 /// The compositions of one dimension.
 template <int D>
 [[nodiscard]] std::unique_ptr<Simulation::Engine> make_engine(const Scene& scene);
@@ -70,6 +81,11 @@ template <int D>
                                                                       Composition composition);
 template <int D>
 [[nodiscard]] std::unique_ptr<Simulation::Engine> make_resting_reference(const Scene& scene, World<double, D> world);
+
+extern template bool swarm_fits(const World<double, 2>&);
+extern template bool swarm_fits(const World<double, 3>&);
+extern template std::unique_ptr<Simulation::Engine> make_swarm_engine(const Scene&, World<double, 2>, Composition);
+extern template std::unique_ptr<Simulation::Engine> make_swarm_engine(const Scene&, World<double, 3>, Composition);
 
 extern template std::unique_ptr<Simulation::Engine> make_reference_engine<1>(const Scene&);
 extern template std::unique_ptr<Simulation::Engine> make_reference_engine<2>(const Scene&);

@@ -59,7 +59,10 @@ class StateVisitor {
   template <class F>
   void sized(auto& v, F&& f) {
     archive_.size(v);
-    for (auto& x : v) f(x);
+    for (std::size_t k = 0; k < v.size(); ++k) {
+      auto&& x = v[k];  // of a view: a value
+      f(x);
+    }
   }
   void wide(auto& x) {
     if constexpr (requires { x.lo; }) {
@@ -129,8 +132,7 @@ struct WritingArchive {
       out.put(std::string_view(round_trip_text(x)));
     }
   }
-  template <class T>
-  void size(const std::vector<T>& v) {
+  void size(const auto& v) {
     out.put(static_cast<std::uint64_t>(v.size()));
   }
 };

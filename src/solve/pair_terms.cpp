@@ -81,23 +81,6 @@ double largest(const double* x, int n) {
   return m;
 }
 
-template <int D>
-DoubleDouble wide_cross_squared(const Vec<double, D>& r, const Vec<double, D>& v) {
-  const auto minor = [&](int i, int j) { return two_prod(r[i], v[j]) - two_prod(r[j], v[i]); };
-  const DoubleDouble z = minor(0, 1);
-  if constexpr (D == 2) {
-    return z * z;
-  } else {
-    const DoubleDouble x = minor(1, 2);
-    const DoubleDouble y = minor(2, 0);
-    return x * x + y * y + z * z;
-  }
-}
-
-// The double-double values are within 2^-96 of the sizes that they are differences of [papers/contact_times.md, eq. 9].
-// Kept if that is at most 2^-54 of the value.
-constexpr double settled = 0x1p-42;
-
 }  // namespace
 
 PairTerms exact_pair_terms(const double* r, const double* v, double sigma, int dimension) {
@@ -139,10 +122,10 @@ PairTerms pair_terms(const Vec<double, D>& r, const Vec<double, D>& v, double si
   const DoubleDouble b = wide_dot<double, D>(x, w);
   const DoubleDouble xx = wide_dot<double, D>(x, x);
   const DoubleDouble c = xx - ss;
-  const DoubleDouble d = a * ss - wide_cross_squared<D>(x, w);
+  const DoubleDouble d = a * ss - detail::wide_cross_squared<D>(x, w);
   const double size = std::max(xx.hi, ss.hi);  // 1/4 .. 4
-  const bool certain = std::fabs(b.hi) > settled * std::sqrt(a.hi * size) && std::fabs(c.hi) > settled * size &&
-                       std::fabs(d.hi) > settled * a.hi * size;
+  const bool certain = std::fabs(b.hi) > detail::settled * std::sqrt(a.hi * size) && std::fabs(c.hi) > detail::settled * size &&
+                       std::fabs(d.hi) > detail::settled * a.hi * size;
   if (!certain) return exact_pair_terms(r.data(), v.data(), sigma, D);
   return {scaled(a.hi, 2L * es), scaled(b.hi, long(el) + es), scaled(c.hi, 2L * el), scaled(d.hi, 2L * el + 2L * es)};
 }

@@ -42,8 +42,6 @@ const std::vector<Asking> asking = {
     {"table", "", "[[table]]"},
     {"ensemble", "", "[ensemble]"},
     {"engine.search", "cells", "[engine]\nsearch = \"cells\""},
-    {"engine.search", "neighbour_list", "[engine]\nsearch = \"neighbour_list\""},
-    {"engine.queue", "calendar", "[engine]\nqueue = \"calendar\""},
     {"observe.after", "", "[observe]\nafter = { time = 1.0 }"},
     {"observe.pressure", "", "[observe]\npressure = true"},
     {"observe.collision_rate", "", "[observe]\ncollision_rate = true"},

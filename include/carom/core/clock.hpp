@@ -48,18 +48,12 @@ template <class Real>
   const std::int64_t whole = static_cast<std::int64_t>(flight);
   const Real part = flight - Real(whole);   // exact: flight and its integer part share a grid
   const Real past = part + (t.offset - 1);  // t.offset - 1 is exact
-  Time<Real> sum{t.epoch + whole, past};
-  if (past >= 0) {
-    ++sum.epoch;
-  } else {
-    sum.offset = t.offset + part;
-    if (sum.offset >= 1) {  // rounded up to the next epoch
-      ++sum.epoch;
-      sum.offset = Real(0);
-    }
-  }
+  const Real sum_of_both = t.offset + part;
   const Real half = Real(1) / 2;
-  if (sum.offset < half) sum.offset = (sum.offset + half) - half;  // [1/2, 1) has the spacing of the grid
+  const bool next = past >= 0 || sum_of_both >= 1;  // the latter: rounded up to the next epoch
+  const Real offset = past >= 0 ? past : (next ? Real(0) : sum_of_both);
+  const Real on_grid = (offset + half) - half;  // [1/2, 1) has the spacing of the grid
+  const Time<Real> sum{t.epoch + whole + (next ? 1 : 0), offset < half ? on_grid : offset};
   if (sum.epoch > last_epoch || sum.epoch < t.epoch) return Time<Real>::never();
   return sum;
 }

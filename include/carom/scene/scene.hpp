@@ -141,6 +141,7 @@ enum class QueueKind : std::uint8_t { automatic, heap, calendar };
 struct EngineSpec {
   SearchKind search = SearchKind::automatic;
   QueueKind queue = QueueKind::automatic;
+  bool vectors = true;  ///< use the vector instructions that the processor has. DEFAULT true; the results are the same
   Where where{};
 };
 

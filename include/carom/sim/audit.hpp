@@ -27,9 +27,10 @@ inline constexpr double audit_ulp = 32.0;
 
 enum class AuditBy : std::uint8_t { every_pair, grid };
 
-template <Motion M>
-[[nodiscard]] Audit audit(const M& motion, const World<typename M::Real, M::dimension>& world,
-                          const Time<typename M::Real>& t, AuditBy by = AuditBy::grid) {
+/// WorldLike: World, or a view with its members.
+template <Motion M, class WorldLike>
+[[nodiscard]] Audit audit(const M& motion, const WorldLike& world, const Time<typename M::Real>& t,
+                          AuditBy by = AuditBy::grid) {
   using Real = typename M::Real;
   using std::abs;
   using std::sqrt;

@@ -27,20 +27,19 @@ struct Totals {
 };
 
 /// Position counted through all periods, in wide arithmetic.
-template <class Real, int D>
-[[nodiscard]] inline std::array<Wide<Real>, D> unwrapped(const World<Real, D>& world, std::uint32_t i,
-                                                         const Vec<Real, D>& x) {
+template <class W, class Real, int D>
+[[nodiscard]] inline std::array<Wide<Real>, D> unwrapped(const W& world, std::uint32_t i, const Vec<Real, D>& x) {
   std::array<Wide<Real>, D> u;
-  for (int k = 0; k < D; ++k) {
-    u[k] = Wide<Real>(x[k]);
-    if (world.space.periodic()) u[k] = u[k] + wide_product<Real>(Real(world.details[i].image[k]), world.space.edge[k]);
-  }
+  for (int k = 0; k < D; ++k) u[k] = Wide<Real>(x[k]);
+  if (!world.space.periodic()) return u;
+  const auto& detail = world.details[i];
+  for (int k = 0; k < D; ++k) u[k] = u[k] + wide_product<Real>(Real(detail.image[k]), world.space.edge[k]);
   return u;
 }
 
-template <Motion M>
-[[nodiscard]] Totals<typename M::Real, M::dimension> totals_at(const M& motion,
-                                                               const World<typename M::Real, M::dimension>& world,
+/// WorldLike: World, or a view with its members.
+template <Motion M, class WorldLike>
+[[nodiscard]] Totals<typename M::Real, M::dimension> totals_at(const M& motion, const WorldLike& world,
                                                                const Time<typename M::Real>& t) {
   using Real = typename M::Real;
   using W = Wide<Real>;
@@ -49,8 +48,9 @@ template <Motion M>
   Totals<Real, D> sum;
   const bool accelerated = world.accelerated();
   for (std::uint32_t i = 0; i < world.balls.size(); ++i) {
-    if (!world.balls[i].alive || detail::infinite(world.details[i].mass)) continue;
-    const W m(world.details[i].mass);
+    const Real mass = world.details[i].mass;
+    if (!world.balls[i].alive || detail::infinite(mass)) continue;
+    const W m(mass);
     // The stored velocity itself where the motion is free: looking adds no rounding.
     const Vec<Real, D> v = velocity_at(motion, world, i, t);
     const std::array<W, D> x = unwrapped(world, i, position_at(motion, world, i, t));

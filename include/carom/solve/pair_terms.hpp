@@ -11,6 +11,28 @@ struct Scaled {
   long exponent = 0;
 };
 
+namespace detail {
+
+/// |r x v|^2.
+template <int D>
+[[nodiscard]] inline DoubleDouble wide_cross_squared(const Vec<double, D>& r, const Vec<double, D>& v) {
+  const auto minor = [&](int i, int j) { return two_prod(r[i], v[j]) - two_prod(r[j], v[i]); };
+  const DoubleDouble z = minor(0, 1);
+  if constexpr (D == 2) {
+    return z * z;
+  } else {
+    const DoubleDouble x = minor(1, 2);
+    const DoubleDouble y = minor(2, 0);
+    return x * x + y * y + z * z;
+  }
+}
+
+/// The double-double values are within 2^-96 of the sizes that they are differences of [papers/contact_times.md, eq. 9].
+/// Kept if that is at most 2^-54 of the value.
+inline constexpr double settled = 0x1p-42;
+
+}  // namespace detail
+
 /// a = v.v, b = r.v, c = r.r - sigma^2, d = b^2 - a c = a sigma^2 - |r x v|^2 [papers/contact_times.md, eq. 3-5].
 /// The signs are exact and each value has a relative error of at most 2 u.
 struct PairTerms {

@@ -34,15 +34,45 @@ inline constexpr double no_underflow = 0x1p-960;
 // With c > (apart - 1) sigma^2 and a computed b >= 0, exactly nothing is approaching that could meet [eq. 8].
 inline constexpr double apart = 1 + 0x1p-48;
 
+/// The terms of `pair_terms` need no scaling if the largest components of r and v lie within 2^-100 .. 2^100.
+template <int D>
+[[nodiscard]] inline bool moderate(const Vec<double, D>& r, const Vec<double, D>& v, double sigma) {
+  const auto largest = [](const Vec<double, D>& x) {
+    double m = std::fabs(x[0]);
+    for (int k = 1; k < D; ++k) m = std::fabs(x[k]) > m ? std::fabs(x[k]) : m;
+    return m;
+  };
+  const double length = largest(r) > sigma ? largest(r) : sigma, speed = largest(v);
+  return length > 0x1p-100 && length < 0x1p100 && speed > 0x1p-100 && speed < 0x1p100;
+}
+
+/// What plain arithmetic has not settled, in twice the precision. False if that is not enough; else t is the meeting time.
+template <int D>
+[[nodiscard]] inline bool meet_time_wide(const Vec<double, D>& r, const Vec<double, D>& v, double sigma, double& t) {
+  const double plain_ss = sigma * sigma;
+  const double plain_a = dot<double, D>(v, v);
+  const double plain_d = plain_a * plain_ss - cross_squared<double, D>(r, v);
+  const DoubleDouble ss = two_prod(sigma, sigma), xx = wide_dot<double, D>(r, r), c = xx - ss;
+  if (plain_d > near_grazing * (plain_a * plain_ss) + no_underflow && c.hi > 0x1p-42 * plain_ss && c.hi < plain_ss) {
+    t = c.hi / (std::sqrt(plain_d) - dot<double, D>(r, v));
+    return true;
+  }
+  if (!moderate<D>(r, v, sigma)) return false;
+  // As pair_terms, whose powers of two change no bit here.
+  const DoubleDouble a = wide_dot<double, D>(v, v), b = wide_dot<double, D>(r, v);
+  const DoubleDouble d = a * ss - wide_cross_squared<D>(r, v);
+  const double size = xx.hi > ss.hi ? xx.hi : ss.hi;
+  const bool certain = std::fabs(b.hi) > settled * std::sqrt(a.hi * size) && std::fabs(c.hi) > settled * size &&
+                       std::fabs(d.hi) > settled * a.hi * size;
+  if (!certain) return false;
+  t = !(b.hi < 0.0) ? never<double>() : !(c.hi > 0.0) ? 0.0 : d.hi > 0.0 ? c.hi / (-b.hi + std::sqrt(d.hi)) : never<double>();
+  return true;
+}
+
 template <int D>
 [[nodiscard, gnu::noinline]] double meet_time_close(const Vec<double, D>& r, const Vec<double, D>& v, double sigma) {
-  const double ss = sigma * sigma;
-  const double a = dot<double, D>(v, v);
-  const double d = a * ss - cross_squared<double, D>(r, v);
-  if (d > near_grazing * (a * ss) + no_underflow) {
-    const DoubleDouble c = wide_dot<double, D>(r, r) - two_prod(sigma, sigma);
-    if (c.hi > 0x1p-42 * ss && c.hi < ss) return c.hi / (std::sqrt(d) - dot<double, D>(r, v));
-  }
+  double t;
+  if (meet_time_wide<D>(r, v, sigma, t)) return t;
   const PairTerms terms = pair_terms<D>(r, v, sigma);
   if (!(terms.b.mantissa < 0.0)) return never<double>();
   if (!(terms.c.mantissa > 0.0)) return 0.0;

@@ -36,8 +36,8 @@ struct PairGrid {
 /// Calls f(i, j, image) once for every pair i < j (and i == j for a ball and its own image) that may be closer than the sum
 /// of the radii plus `margin`; `positions` are those of the balls, wrapped in a periodic space. Farther pairs may be named
 /// too. `grid` lends its memory: where it is kept from call to call, nothing is allocated again.
-template <class Real, int D, class F>
-void for_each_near_pair(const World<Real, D>& world, const std::vector<Vec<Real, D>>& positions, double margin,
+template <class WorldLike, class Real, int D, class F>
+void for_each_near_pair(const WorldLike& world, const std::vector<Vec<Real, D>>& positions, double margin,
                         detail::PairGrid<D>& grid, F&& f) {
   const std::uint32_t n = static_cast<std::uint32_t>(positions.size());
   std::vector<std::uint32_t>& alive = grid.alive;
@@ -131,8 +131,8 @@ void for_each_near_pair(const World<Real, D>& world, const std::vector<Vec<Real,
   }
 }
 
-template <class Real, int D, class F>
-void for_each_near_pair(const World<Real, D>& world, const std::vector<Vec<Real, D>>& positions, double margin, F&& f) {
+template <class WorldLike, class Real, int D, class F>
+void for_each_near_pair(const WorldLike& world, const std::vector<Vec<Real, D>>& positions, double margin, F&& f) {
   detail::PairGrid<D> grid;
   for_each_near_pair(world, positions, margin, grid, f);
 }

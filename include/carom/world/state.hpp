@@ -9,19 +9,20 @@
 
 namespace carom {
 
-/// Position of ball i at `t` >= its stored time, not wrapped anew. Looking writes nothing.
-template <Motion M>
-[[nodiscard]] inline typename M::Vector position_at(const M& motion, const World<typename M::Real, M::dimension>& world,
-                                                    std::uint32_t i, const Time<typename M::Real>& t) {
+/// Position of ball i at `t` >= its stored time, not wrapped anew. Looking writes nothing. W: World, or a view with its
+/// members.
+template <Motion M, class W>
+[[nodiscard]] inline typename M::Vector position_at(const M& motion, const W& world, std::uint32_t i,
+                                                    const Time<typename M::Real>& t) {
   const auto& b = world.balls[i];
   return b.time == t ? typename M::Vector(b.position)
                      : motion.stored_position(b.position, b.velocity, motion.phase(b), elapsed(b.time, t));
 }
 
 /// Velocity of ball i at `t` >= its stored time.
-template <Motion M>
-[[nodiscard]] inline typename M::Vector velocity_at(const M& motion, const World<typename M::Real, M::dimension>& world,
-                                                    std::uint32_t i, const Time<typename M::Real>& t) {
+template <Motion M, class W>
+[[nodiscard]] inline typename M::Vector velocity_at(const M& motion, const W& world, std::uint32_t i,
+                                                    const Time<typename M::Real>& t) {
   const auto& b = world.balls[i];
   return b.time == t ? typename M::Vector(b.velocity) : motion.stored_velocity(b.velocity, motion.phase(b), elapsed(b.time, t));
 }

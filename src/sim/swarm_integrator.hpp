@@ -1,0 +1,276 @@
+#pragma once
+// The integrator for many balls, and EventDriven for what it leaves to that.
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "carom/motion/free_flight.hpp"
+#include "carom/queue/heap_queue.hpp"
+#include "carom/search/cell_grid.hpp"
+#include "carom/sim/event_driven.hpp"
+#include "carom/sim/swarm_run.hpp"
+#include "carom/world/swarm.hpp"
+
+namespace carom {
+
+/// A swarm, or a world, looked at through the members of World. Balls and details of a swarm are values made when asked for.
+template <int D>
+class SwarmView {
+ public:
+  class Balls {
+   public:
+    explicit Balls(const SwarmView& view) : view_(view) {}
+    [[nodiscard]] std::size_t size() const { return view_.size(); }
+    [[nodiscard]] Ball<double, D> operator[](std::size_t i) const {
+      return view_.swarm_ != nullptr ? stored_ball(*view_.swarm_, static_cast<std::uint32_t>(i)) : view_.whole_.balls[i];
+    }
+    [[nodiscard]] Ball<double, D> at(std::size_t i) const {
+      if (i >= size()) throw std::out_of_range("no such ball");
+      return (*this)[i];
+    }
+
+   private:
+    const SwarmView& view_;
+  };
+  class Details {
+   public:
+    explicit Details(const SwarmView& view) : view_(view) {}
+    [[nodiscard]] std::size_t size() const { return view_.size(); }
+    [[nodiscard]] BallDetail<double, D> operator[](std::size_t i) const {
+      return view_.swarm_ != nullptr ? stored_detail(*view_.swarm_, static_cast<std::uint32_t>(i)) : view_.whole_.details[i];
+    }
+    [[nodiscard]] BallDetail<double, D> at(std::size_t i) const {
+      if (i >= size()) throw std::out_of_range("no such ball");
+      return (*this)[i];
+    }
+
+   private:
+    const SwarmView& view_;
+  };
+
+  /// `swarm` null: all is in `whole`; else the balls are in the swarm and the rest is in `whole`.
+  SwarmView(const Swarm<D>* swarm, const World<double, D>& whole)
+      : units(whole.units),
+        start(whole.start),
+        balls(*this),
+        details(*this),
+        bodies(whole.bodies),
+        walls(whole.walls),
+        space(whole.space),
+        acceleration(whole.acceleration),
+        law(whole.law),
+        swarm_(swarm),
+        whole_(whole) {}
+  SwarmView(const SwarmView&) = delete;
+  SwarmView& operator=(const SwarmView&) = delete;
+
+  const Units& units;
+  const Time<double>& start;
+  const Balls balls;
+  const Details details;
+  const std::vector<Body<double, D>>& bodies;
+  const Walls<double, D>& walls;
+  const Space<double, D>& space;
+  const Vec<double, D>& acceleration;
+  const LawKind law;
+
+  [[nodiscard]] bool accelerated() const { return false; }
+
+ private:
+  [[nodiscard]] std::size_t size() const { return swarm_ != nullptr ? swarm_->size() : whole_.balls.size(); }
+
+  const Swarm<D>* swarm_;
+  const World<double, D>& whole_;
+};
+
+/// What a run of many balls is set up with.
+struct SwarmSetup {
+  double neighbours = 0;  ///< balls that a shell's reach holds on average: sets the thickness
+  bool vectors = true;
+};
+
+/// Neighbours wanted: measured best, 3-D at packing 0.30 and 0.49, disks at 0.65 (papers/speed).
+template <int D>
+inline constexpr double best_neighbours = D == 3 ? 12.6 : 8.4;
+
+/// Thickness of the shells at which a ball has so many neighbours, not below a tenth of the largest diameter.
+template <int D>
+[[nodiscard]] inline double shell_thickness(const World<double, D>& world, double neighbours) {
+  double volume = 1, largest = 0, sum = 0;
+  for (int k = 0; k < D; ++k) volume *= world.space.edge[k];
+  for (const auto& ball : world.balls) {
+    largest = std::max(largest, ball.radius);
+    sum += ball.radius;
+  }
+  const double n = static_cast<double>(world.balls.size());
+  const double share = neighbours * volume / n;
+  constexpr double pi = 3.141592653589793;
+  const double cut = D == 3 ? std::cbrt(share * 3 / (4 * pi)) : std::sqrt(share / pi);
+  return std::max(cut - 2 * sum / n, 0.1 * 2 * largest);
+}
+
+template <int D>
+class SwarmIntegrator {
+ public:
+  using Motion = FreeFlight<double, D>;
+  using Ledger = Collider<Motion>;
+
+  SwarmIntegrator(World<double, D>&& world, const Motion&, SwarmSetup setup) : setup_(setup) {
+    run_.now = world.start;
+    if (world.restitution.any_below_one()) run_.watch.reset(world.balls.size());
+    enter(std::move(world));
+  }
+
+  template <class Sink>
+  Stop advance(const Time<double>& until, std::int64_t collisions, Sink&& sink, const std::atomic<bool>* interrupt) {
+    const std::int64_t had = counts().collisions();
+    const std::int64_t goal =
+        collisions < std::numeric_limits<std::int64_t>::max() - had ? had + collisions : std::numeric_limits<std::int64_t>::max();
+    if constexpr (std::remove_cvref_t<Sink>::wants_records) {
+      run_.sink = [](void* to, const Record<double, D>& record) { (*static_cast<std::remove_reference_t<Sink>*>(to))(record); };
+      run_.sink_data = const_cast<void*>(static_cast<const void*>(&sink));
+    } else {
+      run_.sink = nullptr;
+    }
+    while (true) {
+      if (whole_) {
+        const std::int64_t left = goal - counts().collisions();
+        const Stop stop = whole_->engine.advance(until, std::min(left, patience()), sink, interrupt);
+        if (stop != Stop::events || left <= patience()) return stop;
+        if (may_return()) take_back();
+        continue;
+      }
+      switch (kernel_.advance(run_, until, goal, interrupt)) {
+        case Halt::until: return Stop::until;
+        case Halt::events: return Stop::events;
+        case Halt::idle: return Stop::no_events_left;
+        case Halt::interrupted: return Stop::interrupted;
+        case Halt::collapse: return Stop::collapse;
+        case Halt::non_finite: run_.reason = "a velocity is no longer a finite number"; return Stop::non_finite;
+        case Halt::unusual: hand_over(); break;
+      }
+    }
+  }
+
+  void reverse(const Time<double>& t) {
+    if (!whole_) hand_over();
+    whole_->engine.reverse(t);
+  }
+  [[nodiscard]] const Time<double>& now() const { return whole_ ? whole_->engine.now() : run_.now; }
+  [[nodiscard]] SwarmView<D> world() const {
+    return whole_ ? SwarmView<D>(nullptr, whole_->world) : SwarmView<D>(&run_.swarm, run_.swarm.rest);
+  }
+  [[nodiscard]] World<double, D> copy() const { return whole_ ? whole_->world : make_world(run_.swarm); }
+
+  /// The counts, books and watch of the run, by whichever of the two.
+  struct Accounts {
+    const EventCounts& counts;
+    const Exactness<double>& exactness;
+    const EnergyBooks<double>& books;
+    const CollapseWatch<double>& watch;
+  };
+  [[nodiscard]] Accounts ledger() const {
+    if (!whole_) return {run_.counts, run_.exactness, run_.books, run_.watch};
+    const Ledger& collider = whole_->engine.collider();
+    return {collider.counts, collider.exactness, collider.books, collider.watch};
+  }
+  [[nodiscard]] StopDetail reason() const {
+    if (!whole_) return {run_.reason, run_.reason_balls, {}};
+    return {whole_->engine.collider().reason, whole_->engine.collider().reason_balls, {}};
+  }
+
+  void restore(World<double, D>&& world, Ledger&& ledger, const Time<double>& now) {
+    whole_.reset();
+    take_accounts(ledger);
+    run_.now = now;
+    enter(std::move(world));
+  }
+
+  [[nodiscard]] const SwarmWork& work() const { return run_.work; }
+
+ private:
+  struct Whole {
+    World<double, D> world;
+    EventDriven<Motion, CellGrid<double, D>, HeapQueue<double, D>> engine;
+
+    explicit Whole(World<double, D>&& w) : world(std::move(w)), engine(world, Motion{}) {}
+  };
+
+  [[nodiscard]] const EventCounts& counts() const { return whole_ ? whole_->engine.collider().counts : run_.counts; }
+
+  /// Collisions that EventDriven carries out before it is asked whether things have become usual again.
+  [[nodiscard]] std::int64_t patience() const { return 64 + static_cast<std::int64_t>(whole_->world.balls.size()) / 8; }
+
+  /// To go over costs some looks at every ball, so it must not be done often: once in as many collisions as there are balls.
+  [[nodiscard]] bool may_return() const {
+    return (handed_over_ < 8 ||
+            handed_over_ * static_cast<std::int64_t>(whole_->world.balls.size()) < counts().collisions()) &&
+           is_swarm(whole_->world);
+  }
+
+  /// As a swarm, if it can be one; else as a whole world.
+  void enter(World<double, D>&& world) {
+    if (!is_swarm(world)) {
+      become_whole(std::move(world));
+      return;
+    }
+    double largest = 0;
+    bool light = true;
+    for (const auto& ball : world.balls) largest = std::max(largest, ball.radius);
+    for (const auto& detail : world.details) light = light && !detail::infinite(detail.mass);
+    const double thickness =
+        shell_thickness(world, setup_.neighbours > 0 ? setup_.neighbours : best_neighbours<D>);
+    run_.plain = light && !world.restitution.any_below_one();
+    run_.swarm = make_swarm(std::move(world));
+    sort_rows(run_.swarm, run_.now);
+    const std::uint32_t n = run_.swarm.size();
+    if (!run_.shells.lay_out(run_.swarm, largest, thickness)) {
+      become_whole(make_world(run_.swarm));
+      return;
+    }
+    run_.per_bucket = n < 5000 ? 12 : n < 50000 ? 64 : 256;
+    run_.far_sighted = n > 3000;
+    kernel_ = swarm_kernel(run_.swarm, setup_.vectors);
+    kernel_.start(run_);
+  }
+
+  void hand_over() {
+    ++handed_over_;
+    become_whole(make_world(run_.swarm));
+  }
+  void become_whole(World<double, D>&& world) {
+    run_.swarm = Swarm<D>();
+    run_.shells = Shells<D>();
+    whole_ = std::make_unique<Whole>(std::move(world));
+    Ledger& ledger = whole_->engine.collider();
+    ledger.counts = run_.counts;
+    ledger.exactness = run_.exactness;
+    ledger.books = run_.books;
+    ledger.watch = run_.watch;
+    whole_->engine.resume(run_.now);
+  }
+  void take_accounts(const Ledger& ledger) {
+    run_.counts = ledger.counts;
+    run_.exactness = ledger.exactness;
+    run_.books = ledger.books;
+    run_.watch = ledger.watch;
+  }
+  void take_back() {
+    take_accounts(whole_->engine.collider());
+    run_.now = whole_->engine.now();
+    World<double, D> world = std::move(whole_->world);
+    whole_.reset();
+    enter(std::move(world));
+  }
+
+  SwarmSetup setup_;
+  SwarmRun<D> run_;
+  SwarmKernel<D> kernel_{};
+  std::unique_ptr<Whole> whole_;
+  std::int64_t handed_over_ = 0;
+};
+
+}  // namespace carom

@@ -1,0 +1,199 @@
+// Many balls: neighbour lists and the calendar, with vector instructions and without, give the log of the plain integrator,
+// bit for bit, and full audits on the way find no overlap. (Energy and pressure do not notice a missed collision.)
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <ostream>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "carom/core/error.hpp"
+#include "carom/scene/read.hpp"
+#include "carom/sim/simulation.hpp"
+
+namespace carom {
+namespace {
+
+using Line = std::tuple<std::int64_t, double, int, std::uint32_t, std::uint32_t, std::array<double, 3>, std::array<double, 3>,
+                        std::array<double, 3>, std::array<std::int64_t, 3>, std::array<double, 3>, std::array<double, 3>,
+                        std::array<std::int64_t, 3>, double, double, std::array<double, 3>, std::array<double, 3>>;
+
+Line line_of(const Collision& c) {
+  return {c.epoch,
+          c.offset,
+          int(c.kind),
+          c.ball.number,
+          c.partner.number,
+          c.ball.position,
+          c.ball.velocity_before,
+          c.ball.velocity_after,
+          c.ball.image,
+          c.partner.position,
+          c.partner.velocity_after,
+          c.partner.image,
+          c.impulse,
+          c.gap,
+          c.normal,
+          c.point};
+}
+
+struct Named {
+  const char* name;
+  std::int64_t collisions;
+  const char* text;
+
+  friend void PrintTo(const Named& scene, std::ostream* out) { *out << scene.name; }
+};
+
+// At low and high density, in the plane and in space, closed and periodic; mixtures; dissipation; a lattice whose balls meet
+// at equal times; balls much faster and much larger than others; fixed ones.
+const Named scenes[] = {
+    {"disks", 6400, "dimension=2\n[[gas]]\ncount=400\npacking_fraction=0.3\nradius=0.5\n"},
+    {"dense_disks", 12800, "dimension=2\n[[gas]]\ncount=400\npacking_fraction=0.69\nradius=0.5\n"},
+    {"dilute_disks", 3200, "dimension=2\n[[gas]]\ncount=300\npacking_fraction=0.01\nradius=0.5\n"},
+    {"spheres", 8000, "dimension=3\n[[gas]]\ncount=500\npacking_fraction=0.3\nradius=0.5\n"},
+    {"dense_spheres", 16400, "dimension=3\n[[gas]]\ncount=500\npacking_fraction=0.49\nradius=0.5\n"},
+    {"dilute_spheres", 3200, "dimension=3\n[[gas]]\ncount=400\npacking_fraction=0.005\nradius=0.5\n"},
+    {"box_of_disks", 8000,
+     "dimension=2\n[space]\nkind='box'\nlower=[-3,2]\nupper=[27,22]\n[[gas]]\ncount=300\npacking_fraction=0.4\n"},
+    {"box_of_spheres", 8000,
+     "dimension=3\n[space]\nkind='box'\nlower=[-1,0,0]\nupper=[8,9,10]\n[[gas]]\ncount=400\npacking_fraction=0.35\n"},
+    {"mixture", 8000,
+     "dimension=3\n[space]\nkind='periodic'\nlower=[0,0,0]\nupper=[10,11,12]\n[[gas]]\ncount=150\nradius=0.5\nmass=3\n"
+     "[[gas]]\ncount=600\nradius=0.2\nmass=0.7\n"},
+    {"ten_to_one", 6400,
+     "dimension=2\n[space]\nkind='periodic'\nlower=[0,0]\nupper=[30,30]\n[[gas]]\ncount=4\nradius=2\nmass=400\n"
+     "[[gas]]\ncount=500\nradius=0.2\nmass=1\n"},
+    {"granular", 8000,
+     "dimension=2\n[collision]\nrestitution=0.9\n[space]\nkind='periodic'\nlower=[0,0]\nupper=[30,30]\n[[gas]]\ncount=300\n"
+     "packing_fraction=0.3\n"},
+    {"viscoelastic", 6400,
+     "dimension=3\n[collision]\nrestitution=0.8\nregularise='viscoelastic'\nreference_speed=1\n[[gas]]\ncount=300\npacking_fraction=0.2\n"
+     "radius=0.5\n"},
+    {"contact_time", 6400,
+     "dimension=2\n[collision]\nrestitution=0.7\ncontact_time=1e-4\n[space]\nkind='box'\nlower=[0,0]\nupper=[20,20]\n[[gas]]\n"
+     "count=250\npacking_fraction=0.4\n"},
+    {"obstacles", 6400,
+     "dimension=2\n[space]\nkind='periodic'\nlower=[0,0]\nupper=[30,30]\n[[ball]]\nposition=[7,7]\nradius=1.5\nfixed=true\n"
+     "[[ball]]\nposition=[20,17]\nradius=1\nmass='inf'\nvelocity=[0.1,0]\n[[gas]]\ncount=250\nradius=0.5\n"},
+    {"one_fast_ball", 6400,
+     "dimension=2\n[space]\nkind='periodic'\nlower=[0,0]\nupper=[30,30]\n[[ball]]\nposition=[7,7]\nradius=0.3\nmass=1e-9\n"
+     "velocity=[1e4,2e3]\n[[gas]]\ncount=250\nradius=0.5\n"},
+    {"equal_times", 4000, ""},
+};
+
+// Rows of disks that fly at each other, each row slower than the one below: many collisions at one moment.
+std::string rows_of_disks() {
+  std::string text = "dimension=2\n[space]\nkind='box'\nlower=[0,0]\nupper=[16,16]\n";
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 16; ++x)
+      text += "[[ball]]\nradius=0.25\nposition=[" + std::to_string(x) + ".5," + std::to_string(y) + ".5]\nvelocity=[" +
+              std::to_string((x % 2 == 0 ? 1 : -1) * (1 + y / 4)) + ",0]\n";
+  return text;
+}
+
+Scene scene_of(const Named& named, const char* search, const char* queue, bool vectors = true) {
+  return read_scene((*named.text == 0 ? rows_of_disks() : std::string(named.text)) + "[run]\nevents=1000000\n", "test",
+                    {{"engine.search", '"' + std::string(search) + '"'},
+                     {"engine.queue", '"' + std::string(queue) + '"'},
+                     {"engine.vectors", vectors ? "true" : "false"}});
+}
+
+struct Followed {
+  std::vector<Line> log;
+  Summary summary;
+  std::int64_t overlaps = 0;
+};
+
+Followed follow(Simulation simulation, std::int64_t collisions, int slices) {
+  Followed run;
+  for (int k = 0; k < slices; ++k) {
+    simulation.advance(std::nullopt, collisions / slices, [&](const Collision& c) { run.log.push_back(line_of(c)); });
+    run.overlaps += simulation.audit().overlaps;
+  }
+  run.summary = simulation.summary();
+  return run;
+}
+
+class ManyBallsIn : public testing::TestWithParam<Named> {};
+
+TEST_P(ManyBallsIn, give_the_log_of_the_plain_integrator) {
+  const Named& named = GetParam();
+  const Followed plain = follow(Simulation(scene_of(named, "cells", "heap")), named.collisions, 4);
+  ASSERT_GT(plain.log.size(), 1000u);
+  EXPECT_EQ(plain.overlaps, 0);
+  for (const auto& [search, queue, vectors] : {std::tuple{"neighbour_list", "calendar", true},
+                                               std::tuple{"neighbour_list", "calendar", false},
+                                               std::tuple{"cells", "calendar", true}}) {
+    const Followed other = follow(Simulation(scene_of(named, search, queue, vectors)), named.collisions, 16);
+    EXPECT_EQ(other.overlaps, 0);
+    EXPECT_EQ(other.summary.exactness.clamped, 0);
+    ASSERT_EQ(other.log.size(), plain.log.size());
+    for (std::size_t k = 0; k < plain.log.size(); ++k)
+      ASSERT_EQ(other.log[k], plain.log[k]) << "collision " << k << ", " << search << ", " << queue;
+    EXPECT_EQ(other.summary.energy.final.value, plain.summary.energy.final.value);
+    EXPECT_EQ(other.summary.energy.dissipated.value, plain.summary.energy.dissipated.value);
+    EXPECT_EQ(other.summary.exactness.max_gap_error.value, plain.summary.exactness.max_gap_error.value);
+    EXPECT_EQ(other.summary.events.ties, plain.summary.events.ties);
+  }
+}
+
+// A state is that of the run, whoever wrote it.
+TEST_P(ManyBallsIn, go_on_from_each_others_states) {
+  const Named& named = GetParam();
+  const std::int64_t half = named.collisions / 2;
+  Simulation cells(scene_of(named, "cells", "heap")), lists(scene_of(named, "neighbour_list", "calendar"));
+  cells.advance(std::nullopt, half);
+  lists.advance(std::nullopt, half);
+  const std::string from_cells = cells.state(), from_lists = lists.state();
+  Simulation other_cells(scene_of(named, "cells", "heap")), other_lists(scene_of(named, "neighbour_list", "calendar"));
+  other_cells.restore(from_lists);
+  other_lists.restore(from_cells);
+  std::vector<Line> log, other, third;
+  cells.advance(std::nullopt, half, [&](const Collision& c) { log.push_back(line_of(c)); });
+  other_cells.advance(std::nullopt, half, [&](const Collision& c) { other.push_back(line_of(c)); });
+  other_lists.advance(std::nullopt, half, [&](const Collision& c) { third.push_back(line_of(c)); });
+  EXPECT_EQ(log, other);
+  EXPECT_EQ(log, third);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, ManyBallsIn, testing::ValuesIn(scenes),
+                         [](const auto& named) { return std::string(named.param.name); });
+
+TEST(ManyBallsChoice, is_made_from_the_scene) {
+  const auto search = [](const std::string& text) {
+    return Simulation(read_scene(text + "[run]\nevents=10\n", "test")).composition().search;
+  };
+  EXPECT_EQ(search("dimension=3\n[[gas]]\ncount=1000\npacking_fraction=0.3\nradius=0.5\n"), "neighbour lists");
+  EXPECT_EQ(search("dimension=3\n[[gas]]\ncount=50\npacking_fraction=0.3\nradius=0.5\n"), "cells");
+  EXPECT_EQ(search("dimension=2\n[motion]\nacceleration=[0,-1]\n[space]\nkind='box'\nlower=[0,0]\nupper=[40,40]\n[[gas]]\n"
+                   "count=500\nradius=0.5\n"),
+            "cells");
+}
+
+TEST(ManyBallsChoice, says_why_lists_do_not_fit) {
+  EXPECT_THROW(Simulation(read_scene("dimension=2\n[motion]\nacceleration=[0,-1]\n[space]\nkind='box'\nlower=[0,0]\n"
+                                     "upper=[40,40]\n[[gas]]\ncount=50\nradius=0.5\n[run]\nevents=1\n",
+                                     "test", {{"engine.search", "\"neighbour_list\""}})),
+               InputError);
+}
+
+// The way back in time: what was undone is where it began, to what rounding makes of few collisions.
+TEST(ManyBalls, fly_back) {
+  Simulation simulation(read_scene("dimension=3\n[[gas]]\ncount=500\npacking_fraction=0.1\nradius=0.5\n[run]\nevents=1000000\n",
+                                   "test"));
+  ASSERT_EQ(simulation.composition().search, "neighbour lists");
+  const BallState before = simulation.ball(7);
+  simulation.advance(std::nullopt, 60);
+  const Number t = simulation.time();
+  simulation.reverse();
+  simulation.advance(Number(2 * t.value), std::nullopt);
+  const BallState after = simulation.ball(7);
+  for (std::size_t k = 0; k < 3; ++k)
+    EXPECT_NEAR(after.unwrapped_position[k].value, before.unwrapped_position[k].value, 1e-9);
+}
+
+}  // namespace
+}  // namespace carom
