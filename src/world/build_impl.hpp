@@ -14,6 +14,7 @@
 #include "carom/scene/validate.hpp"
 #include "carom/world/build.hpp"
 #include "carom/world/flat_walls.hpp"
+#include "carom/world/gases.hpp"
 #include "choose_units.hpp"
 #include "real_number.hpp"
 #include "roster.hpp"
@@ -49,11 +50,46 @@ Time<Real> clock_time(const Number& t, int exponent) {
 namespace detail {
 
 template <class Real, int D>
+void append_ball(World<Real, D>& world, const Vec<Real, D>& x, const Vec<Real, D>& v, const Real& radius, const Real& mass,
+                 std::uint32_t material) {
+  Ball<Real, D>& ball = world.balls.emplace_back();
+  ball.position = x;
+  ball.velocity = v;
+  ball.radius = radius;
+  ball.time = world.start;
+  BallDetail<Real, D>& detail = world.details.emplace_back();
+  detail.image = wrap(world.space, ball.position);
+  detail.mass = mass;
+  detail.material = material;
+}
+
+template <class Real, int D>
 class WorldBuilder {
  public:
   explicit WorldBuilder(const Scene& scene) : scene_(scene) {}
 
   World<Real, D> build() {
+    build_all_but_gases();
+    for (PlacedGroup& g : roster_.groups) add_group(g);
+    order_on_line();
+    return std::move(world_);
+  }
+
+  WorldAndGases<D> build_apart() requires(std::is_same_v<Real, double>) {
+    build_all_but_gases();
+    WorldAndGases<D> parts;
+    for (PlacedGroup& g : roster_.groups) parts.gases.push_back(apart(g));
+    order_on_line();
+    parts.world = std::move(world_);
+    return parts;
+  }
+
+ private:
+  using Vector = Vec<Real, D>;
+
+  /// Gases are left in the roster: their balls are placed clear of everything. On a line points may meet, so there they are
+  /// judged like all others.
+  void build_all_but_gases() {
     CAROM_EXPECT(scene_.dimension == D);
     problems_ = validate(scene_);
     throw_problems();
@@ -73,14 +109,9 @@ class WorldBuilder {
     fill_balls();
     fill_restitution();
     judge_rest();
-    order_on_line();
     find_start_contacts(scene_, world_, bits_, lines_, problems_);
     throw_problems();
-    return std::move(world_);
   }
-
- private:
-  using Vector = Vec<Real, D>;
 
   void throw_problems() const {
     if (!problems_.empty()) throw InputError(problems_);
@@ -236,42 +267,50 @@ class WorldBuilder {
   /// Appends a ball; `rounded`: its numbers are doubles, whatever the arithmetic.
   void add_ball(const Vector& x, const Vector& v, const Real& radius, const Number& mass, bool fixed,
                 const std::string& material, std::string name, int line, bool rounded) {
-    Ball<Real, D> ball;
-    ball.position = x;
-    ball.velocity = v;
-    ball.radius = radius;
-    ball.fixed = fixed;
-    ball.time = world_.start;
-    BallDetail<Real, D> detail;
-    detail.image = wrap(world_.space, ball.position);
-    detail.mass = fixed ? infinity<Real>() : real_number<Real>(mass, -world_.units.mass);
-    detail.material = materials_.at(material);
-    detail.name = std::move(name);
-    world_.balls.push_back(ball);
-    world_.details.push_back(std::move(detail));
+    append_ball(world_, x, v, radius, fixed ? infinity<Real>() : real_number<Real>(mass, -world_.units.mass),
+                materials_.at(material));
+    world_.balls.back().fixed = fixed;
+    world_.details.back().name = std::move(name);
     bits_.push_back(input_bits<Real>(rounded));
     lines_.push_back(line);
   }
 
   void fill_balls() {
-    const std::size_t n = scene_.balls.size() + roster_.placed();
-    world_.balls.reserve(n);
-    world_.details.reserve(n);
     for (const BallSpec& b : scene_.balls)
       add_ball(point(b.position), velocity(b.velocity), length(b.radius), b.mass, b.fixed, b.material, b.name, b.where.line,
                scene_.rounded);
-    for (const PlacedGroup& g : roster_.groups) {
-      const Real radius = length(Number(g.balls.radius));
-      for (std::size_t i = 0; i * D < g.balls.position.size(); ++i) {
-        Vector x, v = Vector::Zero();
-        for (int k = 0; k < D; ++k) {
-          x[k] = length(Number(g.balls.position[i * D + k]));
-          if (!g.balls.velocity.empty())
-            v[k] = real_number<Real>(Number(g.balls.velocity[i * D + k]), -world_.units.velocity());
-        }
-        add_ball(x, v, radius, g.mass, false, g.material, "", g.line, true);
+    const std::size_t judged = D == 1 ? roster_.groups.size() : scene_.lattices.size();
+    for (std::size_t g = 0; g < judged; ++g) add_group(roster_.groups[g]);
+    roster_.groups.erase(roster_.groups.begin(), roster_.groups.begin() + static_cast<std::ptrdiff_t>(judged));
+  }
+
+  /// Its memory is given back.
+  void add_group(PlacedGroup& group) {
+    const PlacedBalls balls = std::move(group.balls);
+    const Real radius = length(Number(balls.radius));
+    world_.balls.reserve(world_.balls.size() + balls.position.size() / D);
+    world_.details.reserve(world_.balls.size() + balls.position.size() / D);
+    for (std::size_t i = 0; i * D < balls.position.size(); ++i) {
+      Vector x, v = Vector::Zero();
+      for (int k = 0; k < D; ++k) {
+        x[k] = length(Number(balls.position[i * D + k]));
+        if (!balls.velocity.empty()) v[k] = real_number<Real>(Number(balls.velocity[i * D + k]), -world_.units.velocity());
       }
+      add_ball(x, v, radius, group.mass, false, group.material, "", group.line, true);
     }
+  }
+
+  GasBalls apart(PlacedGroup& group) const requires(std::is_same_v<Real, double>) {
+    GasBalls gas{length(Number(group.balls.radius)), real_number<Real>(group.mass, -world_.units.mass),
+                 materials_.at(group.material), std::move(group.balls.position), std::move(group.balls.velocity)};
+    for (std::size_t i = 0; i < gas.position.size(); i += D) {
+      Vector x;
+      for (int k = 0; k < D; ++k) x[k] = std::ldexp(gas.position[i + k], -world_.units.length);
+      wrap(world_.space, x);
+      for (int k = 0; k < D; ++k) gas.position[i + k] = x[k];
+    }
+    for (double& v : gas.velocity) v = std::ldexp(v, -world_.units.velocity());
+    return gas;
   }
 
   /// material_pair > restitution written at the wall or space > smaller of the two materials > the one there is >
@@ -333,9 +372,33 @@ class WorldBuilder {
 
 }  // namespace detail
 
+
+template <int D>
+WorldAndGases<D> build_apart(const Scene& scene) {
+  return detail::WorldBuilder<double, D>(scene).build_apart();
+}
+
+template <int D>
+World<double, D> join(WorldAndGases<D> parts) {
+  World<double, D>& world = parts.world;
+  world.balls.reserve(parts.size());
+  world.details.reserve(parts.size());
+  for (GasBalls& g : parts.gases) {
+    const GasBalls gas = std::move(g);
+    for (std::size_t i = 0; i < gas.position.size(); i += D)
+      detail::append_ball(world, Vec<double, D>(gas.position.data() + i), Vec<double, D>(gas.velocity.data() + i), gas.radius,
+                          gas.mass, gas.material);
+  }
+  return std::move(world);
+}
+
 template <class Real, int D>
 World<Real, D> build(const Scene& scene) {
-  return detail::WorldBuilder<Real, D>(scene).build();
+  if constexpr (std::is_same_v<Real, double>) {
+    return join<D>(build_apart<D>(scene));
+  } else {
+    return detail::WorldBuilder<Real, D>(scene).build();
+  }
 }
 
 }  // namespace carom
