@@ -42,13 +42,16 @@ Subject subject_of(const Scene& scene, const Simulation& simulation) {
   }
   const std::uint32_t faces = s.space == SpaceKind::box ? 2 * static_cast<std::uint32_t>(s.dimension) : 0;
   s.walls = simulation.wall_count() - faces;
-  for (const BallState& ball : simulation.balls()) {
-    s.mass.resize(ball.index + 1, 0.0);
-    s.radius.resize(ball.index + 1, 0.0);
-    s.velocity.resize(ball.index + 1);
-    s.mass[ball.index] = ball.mass;
-    s.radius[ball.index] = ball.radius;
-    std::copy(ball.velocity.begin(), ball.velocity.end(), s.velocity[ball.index].begin());
+  const std::uint32_t count = simulation.ball_count();
+  s.mass.resize(count, 0.0);
+  s.radius.resize(count, 0.0);
+  s.velocity.resize(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (!simulation.alive(i)) continue;
+    const Glimpse ball = simulation.glimpse(i);
+    s.mass[i] = ball.mass;
+    s.radius[i] = ball.radius;
+    s.velocity[i] = ball.velocity;
     if (std::isfinite(ball.mass)) ++s.free;
   }
   return s;

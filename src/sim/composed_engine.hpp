@@ -147,6 +147,21 @@ class ComposedEngine final : public Simulation::Engine {
     return state;
   }
 
+  [[nodiscard]] Glimpse glimpse(std::uint32_t i) const override {
+    const Scope scope(precision_.digits);
+    const Vec<Real, D> x = position_at(engine_.motion(), world_, i, reached_);
+    const Vec<Real, D> v = velocity_at(engine_.motion(), world_, i, reached_);
+    const auto far = unwrapped(world_, i, x);
+    Glimpse g;
+    for (int k = 0; k < D; ++k) {
+      g.position[k] = near(narrow(far[k]), world_.units.length);
+      g.velocity[k] = near(v[k], world_.units.velocity());
+    }
+    g.radius = near(world_.balls[i].radius, world_.units.length);
+    g.mass = near(world_.details[i].mass, world_.units.mass);
+    return g;
+  }
+
   [[nodiscard]] Audit audit(AuditBy by) const override {
     const Scope scope(precision_.digits);
     Audit result = carom::audit(motion_, world(), reached_, by);

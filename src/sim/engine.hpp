@@ -30,9 +30,11 @@ class Simulation::Engine {
   [[nodiscard]] virtual Number time() const = 0;
   [[nodiscard]] virtual Summary summary() const = 0;
   [[nodiscard]] virtual const EventCounts& counts() const = 0;
+  [[nodiscard]] virtual std::optional<std::int64_t> predictions() const { return std::nullopt; }
   [[nodiscard]] virtual std::uint32_t ball_count() const = 0;
   [[nodiscard]] virtual bool alive(std::uint32_t number) const = 0;
   [[nodiscard]] virtual BallState ball(std::uint32_t number) const = 0;
+  [[nodiscard]] virtual Glimpse glimpse(std::uint32_t number) const;
   [[nodiscard]] virtual std::uint32_t wall_count() const = 0;
   [[nodiscard]] virtual std::string wall_label(std::uint32_t wall) const = 0;
   [[nodiscard]] virtual Units units() const = 0;

@@ -1,11 +1,23 @@
 #include "carom/sim/simulation.hpp"
 
+#include <algorithm>
+
 #include "carom/core/error.hpp"
 #include "engine.hpp"
 
 namespace carom {
 
 std::string Composition::text() const { return motion + ", " + search + ", " + queue; }
+
+Glimpse Simulation::Engine::glimpse(std::uint32_t number) const {
+  const BallState state = ball(number);
+  Glimpse g;
+  std::copy(state.unwrapped_position.begin(), state.unwrapped_position.end(), g.position.begin());
+  std::copy(state.velocity.begin(), state.velocity.end(), g.velocity.begin());
+  g.radius = state.radius;
+  g.mass = state.mass;
+  return g;
+}
 
 namespace {
 template <int D>
@@ -56,6 +68,7 @@ void Simulation::reverse() { engine_->reverse(); }
 Number Simulation::time() const { return engine_->time(); }
 Summary Simulation::summary() const { return engine_->summary(); }
 const EventCounts& Simulation::counts() const { return engine_->counts(); }
+std::optional<std::int64_t> Simulation::predictions() const { return engine_->predictions(); }
 BallState Simulation::ball(std::uint32_t number) const { return engine_->ball(number); }
 
 std::vector<BallState> Simulation::balls() const {
@@ -65,6 +78,9 @@ std::vector<BallState> Simulation::balls() const {
   return left;
 }
 
+std::uint32_t Simulation::ball_count() const { return engine_->ball_count(); }
+bool Simulation::alive(std::uint32_t number) const { return engine_->alive(number); }
+Glimpse Simulation::glimpse(std::uint32_t number) const { return engine_->glimpse(number); }
 void Simulation::return_to_last_event() { engine_->return_to_last_event(); }
 std::uint32_t Simulation::wall_count() const { return engine_->wall_count(); }
 std::string Simulation::wall_label(std::uint32_t wall) const { return engine_->wall_label(wall); }

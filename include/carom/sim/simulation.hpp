@@ -49,6 +49,14 @@ struct Collision {
   const CollisionDigits* digits = nullptr;  ///< while the sink is called; none in double
 };
 
+/// A ball as measurements over all balls see it: in doubles and without allocation.
+struct Glimpse {
+  std::array<double, 3> position{};  ///< [length] not wrapped
+  std::array<double, 3> velocity{};  ///< [length/time]
+  double radius = 0.0;               ///< [length]
+  double mass = 1.0;                 ///< [mass]
+};
+
 using CollisionSink = std::function<void(const Collision&)>;
 
 /// What runs a scene, and why that was chosen.
@@ -89,9 +97,14 @@ class Simulation {
   [[nodiscard]] Number time() const;      ///< [time] that the run has reached
   [[nodiscard]] Summary summary() const;  ///< at time()
   [[nodiscard]] const EventCounts& counts() const;
+  /// Pairs of balls whose meeting was computed since the start; none: the engine does not count them.
+  [[nodiscard]] std::optional<std::int64_t> predictions() const;
   [[nodiscard]] BallState ball(std::uint32_t number) const;  ///< at time()
   [[nodiscard]] std::vector<BallState> balls() const;        ///< those that are left, at time()
-  [[nodiscard]] std::uint32_t wall_count() const;            ///< [[wall]]s, then the faces of the box
+  [[nodiscard]] std::uint32_t ball_count() const;            ///< with those that have left
+  [[nodiscard]] bool alive(std::uint32_t number) const;      ///< false: it has left
+  [[nodiscard]] Glimpse glimpse(std::uint32_t number) const; ///< at time()
+  [[nodiscard]] std::uint32_t wall_count() const;                      ///< [[wall]]s, then the faces of the box
   [[nodiscard]] std::string wall_label(std::uint32_t wall) const;
   [[nodiscard]] int dimension() const;
   [[nodiscard]] std::array<double, 3> periods() const;  ///< [length] of a periodic space; 0 where there is none
