@@ -7,6 +7,7 @@
 #include "carom/core/error.hpp"
 #include "carom/core/precision.hpp"
 #include "carom/observe/observers.hpp"
+#include "carom/observe/samplers.hpp"
 #include "carom/sim/simulation.hpp"
 #include "carom/write/checkpoint_file.hpp"
 #include "carom/write/summary_json.hpp"
@@ -25,7 +26,7 @@ namespace {
 constexpr std::int64_t shown_balls = 20;  // the table for people lists the balls of scenes up to this size
 
 /// Runs, and fills the files as it goes. A write that fails ends the run.
-RunReport carry_out(Simulation& simulation, const Scene& scene, Observers& observers, RunOutputs& outputs,
+RunReport carry_out(Simulation& simulation, const Scene& scene, Observers& observers, Samplers& samplers, RunOutputs& outputs,
                     Checkpoints& checkpoints, Interrupt& interrupt, std::ostream* screen) {
   RunReport report;
   Progress progress(screen, scene.run);
@@ -35,6 +36,7 @@ RunReport carry_out(Simulation& simulation, const Scene& scene, Observers& obser
     progress.show(simulation);
     checkpoints.look(simulation);
   };
+  if (samplers.any()) watchers.samplers = &samplers;
   watchers.collision = observers.sink();
   if (EventsCsv* log = outputs.events())
     watchers.collision = [log, &interrupt, &observers](const Collision& collision) {
@@ -51,6 +53,9 @@ RunReport carry_out(Simulation& simulation, const Scene& scene, Observers& obser
   report.seconds = progress.seconds();
   observers.end(simulation);
   report.observed = observers.estimates();
+  for (Estimate& e : samplers.estimates()) report.observed.push_back(std::move(e));
+  auto file = outputs.tables().begin();
+  for (const Table& table : samplers.tables()) (file++)->write(table);
   if (SpeedHistogramCsv* speeds = outputs.speeds()) speeds->write(*observers.speed_table());
   report.summary = simulation.summary();
   return report;
@@ -111,6 +116,7 @@ ExitStatus run(const RunOptions& options, const Console& console) {
   Simulation simulation(scene, precision);
   if (!options.resume.empty()) read_checkpoint(options.resume, simulation);
   Observers observers(scene, simulation);
+  Samplers samplers(scene, simulation);
   RunOutputs outputs(scene, options.out, simulation);
   if (!options.out.empty() && !outputs.any() && scene.output.checkpoint.empty() && options.checkpoint.empty() && !options.quiet)
     console.err << "carom: nothing is written to \"" << options.out << "\": the scene has no files under [output].\n";
@@ -119,7 +125,7 @@ ExitStatus run(const RunOptions& options, const Console& console) {
   Interrupt interrupt;
   const bool watched = console.err_is_terminal && !options.quiet;
   RunReport report =
-      carry_out(simulation, scene, observers, outputs, checkpoints, interrupt, watched ? &console.err : nullptr);
+      carry_out(simulation, scene, observers, samplers, outputs, checkpoints, interrupt, watched ? &console.err : nullptr);
   std::string unwritten = outputs.finish(report.summary.stopped_by);
   const std::string unsaved = checkpoints.finish(simulation);
   unwritten += (unwritten.empty() || unsaved.empty() ? "" : "\n") + unsaved;

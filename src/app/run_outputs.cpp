@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "carom/core/error.hpp"
+#include "carom/observe/samplers.hpp"
 #include "output_folder.hpp"
 
 namespace carom::app {
@@ -12,8 +13,6 @@ namespace carom::app {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr const char* speeds_file = "speed_histogram.csv";
 
 fs::path place(const Scene& scene, const std::string& folder, const std::string& file, const char* key) {
   const fs::path path = folder.empty() ? fs::path(file) : fs::path(folder) / file;
@@ -32,32 +31,42 @@ RunOutputs::RunOutputs(const Scene& scene, const std::string& folder, const Simu
   const fs::path trajectory = place(scene, folder, output.trajectory, "output.trajectory");
   if (!output.events.empty() && events.lexically_normal() == trajectory.lexically_normal())
     throw InputError(Problem{scene.file, output.where.line, "output.events and output.trajectory are one file", "", ""});
-  const bool speeds = scene.observe.speed_histogram;
-  const fs::path speeds_path = place(scene, folder, speeds ? speeds_file : "", "the table of observe.speed_histogram");
-  for (const auto& [file, path, key] : {std::tuple(output.events, events, "output.events"),
-                                        std::tuple(output.trajectory, trajectory, "output.trajectory")})
-    if (speeds && !file.empty() && path.lexically_normal() == speeds_path.lexically_normal())
-      throw InputError(Problem{scene.file, output.where.line, std::string(key) + " is " + speeds_file,
-                               "observe.speed_histogram writes that file", "Choose another name"});
+  std::vector<std::string> tables = observed_tables(scene.observe);
+  if (scene.observe.speed_histogram) tables.emplace_back("speed_histogram");
+  for (std::string& name : tables) {
+    const fs::path path = place(scene, folder, name + ".csv", ("the table of observe." + name).c_str());
+    for (const auto& [file, other, key] : {std::tuple(output.events, events, "output.events"),
+                                           std::tuple(output.trajectory, trajectory, "output.trajectory")})
+      if (!file.empty() && other.lexically_normal() == path.lexically_normal())
+        throw InputError(Problem{scene.file, output.where.line, std::string(key) + " is " + name + ".csv",
+                                 "observe." + name + " writes that file", "Choose another name"});
+  }
   if (!folder.empty()) make_folder(folder);
   if (!output.events.empty()) events_.emplace(events.string(), simulation, scene.title);
   if (!output.trajectory.empty()) trajectory_.emplace(trajectory.string(), simulation, scene.title);
-  if (speeds) speeds_.emplace(speeds_path.string(), simulation, scene.title);
+  for (const std::string& name : tables) {
+    const std::string path = place(scene, folder, name + ".csv", name.c_str()).string();
+    if (name == "speed_histogram") {
+      speeds_.emplace(path, simulation, scene.title);
+    } else {
+      tables_.emplace_back(path, simulation, scene.title, name);
+    }
+  }
 }
 
 std::string RunOutputs::finish(Stop stopped_by) {
   std::string problems;
   const auto end = [&](auto& file) {
-    if (!file) return;
     try {
-      file->finish(stopped_by);
+      file.finish(stopped_by);
     } catch (const OutputError& error) {
       problems += (problems.empty() ? "" : "\n") + std::string(error.what());
     }
   };
-  end(events_);
-  end(trajectory_);
-  end(speeds_);
+  if (events_) end(*events_);
+  if (trajectory_) end(*trajectory_);
+  if (speeds_) end(*speeds_);
+  for (TableCsv& table : tables_) end(table);
   return problems;
 }
 

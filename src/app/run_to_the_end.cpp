@@ -36,22 +36,36 @@ class Runner {
     frame();
     while (true) {
       const std::optional<Number> sample = watchers_.frame ? samples_.next() : std::nullopt;
-      const Stop stop = advance(sample ? sample : run_.until);
-      const bool at_sample = sample && (stop == Stop::until || (stop == Stop::no_events_left && run_.until));
-      if (at_sample) {
+      const std::optional<Appointment> look = next_look();
+      const bool looks_first = look && look->time && (!sample || look->time->value < sample->value);
+      const std::optional<Number> target = looks_first ? look->time : sample;
+      const Stop stop = advance(target ? target : run_.until, look ? look->events : std::nullopt);
+      const bool at_target = target && (stop == Stop::until || (stop == Stop::no_events_left && run_.until));
+      const bool at_look = look && look->events && simulation_.counts().collisions() >= *look->events;
+      if (at_look || (at_target && looks_first)) watchers_.samplers->look(simulation_);
+      if (at_target && !looks_first) {
         frame();
         samples_.advance();
-      } else if (stop != Stop::events || left() == 0) {
-        return end(stop, sample.has_value());
+      } else if (!at_target && (stop != Stop::events || left() == 0)) {
+        return end(stop, target.has_value());
       }
     }
   }
 
  private:
-  Stop advance(const std::optional<Number>& to) {
+  /// None: nothing more before the end.
+  [[nodiscard]] std::optional<Appointment> next_look() const {
+    if (watchers_.samplers == nullptr) return std::nullopt;
+    std::optional<Appointment> look = watchers_.samplers->next();
+    if (look && look->time && run_.until && look->time->value > run_.until->value) return std::nullopt;
+    return look;
+  }
+
+  Stop advance(const std::optional<Number>& to, const std::optional<std::int64_t>& look) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point begin = Clock::now();
-    const std::int64_t most = std::min(left(), slice_.collisions());
+    std::int64_t most = std::min(left(), slice_.collisions());
+    if (look) most = std::min(most, std::max<std::int64_t>(*look - simulation_.counts().collisions(), 0));
     const Stop stop = simulation_.advance(to, most, watchers_.collision, watchers_.interrupt);
     if (stop == Stop::events) slice_.learn(std::chrono::duration<double>(Clock::now() - begin).count());
     if (watchers_.slice) watchers_.slice();

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <functional>
 
+#include "carom/observe/samplers.hpp"
 #include "carom/scene/scene.hpp"
 #include "carom/sim/simulation.hpp"
 
@@ -12,6 +13,7 @@ namespace carom::app {
 struct Watchers {
   CollisionSink collision;                       ///< every collision
   std::function<void()> frame;                   ///< at the start, at each sample and at the end; none: no samples
+  Samplers* samplers = nullptr;                  ///< looks at the simulation when it wants to
   std::function<void()> slice;                   ///< a few times a second
   const std::atomic<bool>* interrupt = nullptr;  ///< ends the run at the next event
 };

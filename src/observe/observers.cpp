@@ -5,7 +5,7 @@
 #include <iterator>
 #include <utility>
 
-#include "carom/core/error.hpp"
+#include "judgement.hpp"
 
 namespace carom {
 
@@ -22,31 +22,16 @@ std::string no_virial(const Subject& s) {
   return "";
 }
 
-class Judgement {
- public:
-  explicit Judgement(const Scene& scene) : scene_(scene) {}
-
-  void refuse(const std::string& key, std::string why, std::string hint) {
-    problems_.push_back({scene_.file, scene_.observe.where.line, "observe." + key + " has no meaning in this scene",
-                         std::move(why), std::move(hint)});
-  }
-  void throw_if_any() {
-    if (!problems_.empty()) throw InputError(std::move(problems_));
-  }
-
- private:
-  const Scene& scene_;
-  std::vector<Problem> problems_;
-};
+/// Whether anything is to be measured.
+bool asks(const ObserveSpec& o) { return o.collision_rate || o.mean_free_path || o.pressure || o.speed_histogram; }
 
 }  // namespace
 
 std::vector<Observers::Kind> Observers::kinds_for(const Scene& scene, const Subject& subject) {
   const ObserveSpec& asked = scene.observe;
-  const bool any = asked.collision_rate || asked.mean_free_path || asked.pressure || asked.speed_histogram;
-  Judgement judgement(scene);
+  ObserveJudgement judgement(scene);
   std::vector<Kind> kinds;
-  if (any && subject.free == 0)
+  if (asks(asked) && subject.free == 0)
     judgement.refuse("*", "no ball has a finite mass, so none ever changes its velocity", "Add a ball that is not fixed");
   const auto has_flights = [&](const char* key) {
     if (scene.collision.law == LawKind::restitution) return true;
@@ -89,15 +74,16 @@ Observers::AnyObserver Observers::make(Kind kind, const Subject& subject) {
 }
 
 Observers::Observers(const Scene& scene, const Simulation& simulation)
-    : flights_(subject_of(scene, simulation), Time<double>{}),
+    : flights_(asks(scene.observe) ? subject_of(scene, simulation) : Subject{}, Time<double>{}),
       kinds_(kinds_for(scene, flights_.subject())),
       after_events_(scene.observe.after_events),
       seen_(simulation.counts().collisions()) {
+  if (!any()) return;
   const Time<double> start = moment(simulation.time());
   flights_.begin(start);
   after_ = last_ = start;
   if (scene.observe.after_time) after_ = std::max(after_, moment(*scene.observe.after_time));
-  if (any() && after_ == start && after_events_.value_or(0) <= seen_) begin(start);
+  if (after_ == start && after_events_.value_or(0) <= seen_) begin(start);
 }
 
 Time<double> Observers::moment(double t) const {

@@ -115,5 +115,46 @@ TEST(RunOutput, on_a_full_disk_is_status_3_and_ends_the_run) {
   EXPECT_EQ(nlohmann::json::parse(endless.out)["stopped_by"], "interrupted");
 }
 
+// A gas of ten free points: samples at 0, 1, ..., 6.
+TEST(RunOutput, has_a_table_for_each_curve_that_is_measured) {
+  const Folder folder;
+  folder.write("a.toml", R"(dimension = 2
+space = { kind = "periodic", lower = [0, 0], upper = [9, 9] }
+[[gas]]
+count = 10
+radius = 0
+[run]
+until = 6
+[observe]
+radial_distribution = { every = 1, bins = 5, r_max = 4 }
+mean_squared_displacement = { every = 1, lags = 3 }
+velocity_autocorrelation = { every = 1, lags = 2 }
+)");
+  const auto o = carom(folder, {"run", "a.toml", "--json"});
+  ASSERT_EQ(o.status, 0) << o.err;
+  const auto observed = nlohmann::json::parse(o.out)["observed"];
+  EXPECT_NEAR(observed["velocity_autocorrelation"]["initial"]["value"].get<double>(), 2 * 9.0 / 10, 1e-12);
+  EXPECT_TRUE(observed["mean_squared_displacement"].contains("diffusion"));
+  const Csv g(folder.read("radial_distribution.csv")), msd(folder.read("mean_squared_displacement.csv")),
+      vacf(folder.read("velocity_autocorrelation.csv"));
+  EXPECT_THAT(g.header, ElementsAre("from", "to", "g", "error"));
+  EXPECT_THAT(msd.header, ElementsAre("lag", "msd", "error"));
+  EXPECT_THAT(vacf.header, ElementsAre("lag", "vacf", "error"));
+  EXPECT_EQ(g.rows.size(), 5U);
+  EXPECT_EQ(msd.rows.size(), 4U);
+  EXPECT_NEAR(std::stod(msd.rows[3].at("msd")), 9 * 2 * 9.0 / 10, 1e-10);
+  EXPECT_EQ(vacf.rows.size(), 3U);
+  EXPECT_TRUE(g.whole && msd.whole && vacf.whole);
+}
+
+TEST(RunOutput, of_curves_does_not_overwrite_another_file) {
+  const Folder folder;
+  folder.write("a.toml", test::head_on(2, "[observe]\nmean_squared_displacement = true\n"
+                                          "[output]\nevents = \"mean_squared_displacement.csv\"\n"));
+  const auto o = carom(folder, {"run", "a.toml"});
+  EXPECT_EQ(o.status, 2);
+  EXPECT_THAT(o.err, HasSubstr("output.events is mean_squared_displacement.csv"));
+}
+
 }  // namespace
 }  // namespace carom

@@ -53,6 +53,35 @@ TEST(RunToTheEnd, ends_where_an_unwatched_run_ends) {
       }
 }
 
+// Looks fall on frames, between them, and beyond the end.
+TEST(RunToTheEnd, ends_where_an_unwatched_run_ends_with_looks_too) {
+  for (const bool open : {false, true})
+    for (const bool until : {false, true})
+      for (const std::int64_t events : {0, 1, 2, 3, 700})
+        for (const char* every : {"0.3", "0.7", "100"}) {
+          Scene scene = test::head_on(2);
+          if (open) scene.space = {};
+          if (!until) scene.run.until.reset();
+          scene.run.events = events;
+          Simulation alone(scene);
+          const Stop stop = alone.run();
+          scene.run.sample_every = parse_number("0.6");
+          scene.observe.mean_squared_displacement.emplace().every = parse_number(every);
+          scene.observe.after_events = events % 3;
+          Simulation simulation(scene);
+          Samplers samplers(scene, simulation);
+          std::vector<double> frames;
+          Watchers watchers;
+          watchers.frame = [&] { frames.push_back(simulation.time()); };
+          watchers.samplers = &samplers;
+          EXPECT_EQ(run_to_the_end(simulation, scene.run, watchers), stop);
+          EXPECT_EQ(simulation.time(), alone.time()) << open << until << events << every;
+          EXPECT_EQ(simulation.counts().collisions(), alone.counts().collisions());
+          scene.observe = {};
+          EXPECT_EQ(frames, watch(scene).frames);
+        }
+}
+
 // Two balls in the open: after their impact at t = 1 nothing happens any more.
 TEST(RunToTheEnd, without_until_ends_at_the_last_event) {
   Scene scene = test::head_on(2);

@@ -145,6 +145,19 @@ struct EngineSpec {
   Where where{};
 };
 
+/// Sampled at equal distances of time.
+struct RadialDistributionSpec {
+  std::optional<Number> every{};  ///< [time] between samples. DEFAULT: 10 mean free times of Enskog's theory
+  std::optional<Number> r_max{};  ///< [length] DEFAULT: 4 mean diameters, or half of the shortest period if that is less
+  std::int64_t bins = 200;        ///< from 0 to r_max. DEFAULT: 200
+};
+struct LagsSpec {
+  std::optional<Number> every{};           ///< [time] between samples, and between lags. DEFAULT: see Samplers
+  std::int64_t lags = 100;                 ///< curves run from 0 to lags every. DEFAULT: 100
+  std::optional<std::int64_t> origins{};   ///< looked back at at a time; each holds 24 bytes a ball. DEFAULT: 10, fewer from
+                                           ///< 10^5 balls on, so that 10^6 vectors suffice, but at least 1
+};
+
 /// What to measure; nothing is measured that is not asked for.
 struct ObserveSpec {
   std::optional<std::int64_t> after_events{};  ///< start measuring after so many collisions. DEFAULT: at once
@@ -153,6 +166,9 @@ struct ObserveSpec {
   bool collision_rate = false;
   bool mean_free_path = false;
   bool speed_histogram = false;
+  std::optional<RadialDistributionSpec> radial_distribution{};
+  std::optional<LagsSpec> mean_squared_displacement{};
+  std::optional<LagsSpec> velocity_autocorrelation{};
   Where where{};
 };
 

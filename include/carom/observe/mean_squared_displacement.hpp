@@ -1,0 +1,29 @@
+#pragma once
+// How far balls get in a time, and how they diffuse.
+
+#include "carom/observe/frame.hpp"
+#include "carom/observe/lag_curve.hpp"
+#include "carom/observe/origins.hpp"
+
+namespace carom {
+
+/// <|x(s + t) - x(s)|^2> over the balls of finite mass and over origins s, from unwrapped positions.
+///   mean_squared_displacement.diffusion [length^2/time]: the slope over the second half of the lags, by least squares, over
+///   2 d. It is the diffusion coefficient if balls diffuse at those lags; for N balls in a periodic cell it depends on N.
+class MeanSquaredDisplacement {
+ public:
+  /// Samples come every `step` [time].
+  MeanSquaredDisplacement(int dimension, std::size_t lags, std::size_t origins, double step)
+      : dimension_(dimension), origins_(lags, origins), curve_(lags, step) {}
+
+  void sample(const Frame& frame);
+  [[nodiscard]] Estimates estimates() const;
+  [[nodiscard]] Table table() const { return curve_.table("mean_squared_displacement", "msd"); }
+
+ private:
+  int dimension_;
+  Origins origins_;
+  LagCurve curve_;
+};
+
+}  // namespace carom
