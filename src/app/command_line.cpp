@@ -27,6 +27,7 @@ class Parser {
     compare_command_ = add_compare_command(program_, compare_);
     explain_command_ = add_explain_command(program_, explain_);
     new_command_ = add_new_command(program_, new_);
+    bench_command_ = add_bench_command(program_, bench_);
   }
 
   Command parse(const std::vector<std::string>& words) {
@@ -42,12 +43,13 @@ class Parser {
     if (compare_command_->parsed()) return compare_;
     if (explain_command_->parsed()) return explain_;
     if (new_command_->parsed()) return new_;
+    if (bench_command_->parsed()) return bench_;
     return Answer{ExitStatus::wrong_input, "carom: a command is missing. See carom --help\n"};
   }
 
  private:
-  [[nodiscard]] std::array<const CLI::App*, 5> commands() const {
-    return {run_command_, check_command_, compare_command_, explain_command_, new_command_};
+  [[nodiscard]] std::array<const CLI::App*, 6> commands() const {
+    return {run_command_, check_command_, compare_command_, explain_command_, new_command_, bench_command_};
   }
 
   [[nodiscard]] bool known(const std::string& word) const {
@@ -81,7 +83,8 @@ class Parser {
   CompareOptions compare_;
   ExplainOptions explain_;
   NewOptions new_;
-  CLI::App *run_command_, *check_command_, *compare_command_, *explain_command_, *new_command_;
+  BenchOptions bench_;
+  CLI::App *run_command_, *check_command_, *compare_command_, *explain_command_, *new_command_, *bench_command_;
 };
 
 ExitStatus carry_out(const Answer& answer, const Console& console) {
@@ -93,6 +96,7 @@ ExitStatus carry_out(const CheckOptions& options, const Console& console) { retu
 ExitStatus carry_out(const CompareOptions& options, const Console& console) { return compare(options, console); }
 ExitStatus carry_out(const ExplainOptions& options, const Console& console) { return explain(options, console); }
 ExitStatus carry_out(const NewOptions& options, const Console& console) { return new_scene(options, console); }
+ExitStatus carry_out(const BenchOptions& options, const Console& console) { return bench(options, console); }
 
 ExitStatus carry_out_any(const Command& command, const Console& console) {
   const ExitStatus status = std::visit([&](const auto& c) { return carry_out(c, console); }, command);

@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "bench_command.hpp"
 #include "check_command.hpp"
 #include "compare_command.hpp"
 #include "console.hpp"
@@ -21,7 +22,7 @@ struct Answer {
   std::string text;
 };
 
-using Command = std::variant<Answer, RunOptions, CheckOptions, CompareOptions, ExplainOptions, NewOptions>;
+using Command = std::variant<Answer, RunOptions, CheckOptions, CompareOptions, ExplainOptions, NewOptions, BenchOptions>;
 
 /// `words` are the arguments without the program's name.
 [[nodiscard]] Command parse(const std::vector<std::string>& words);

@@ -1,8 +1,12 @@
 #pragma once
-// What the process has needed.
+// Memory of this process.
 
 namespace carom::app {
 
-[[nodiscard]] double peak_memory_mb();  ///< [MiB] largest resident memory of the process so far
+/// Largest resident memory so far, in MiB: since the start, or since it was forgotten.
+[[nodiscard]] double peak_memory_mb();
+
+/// From now on the peak is counted anew, from what is resident now. False where the system cannot (Linux can).
+bool forget_peak_memory();
 
 }  // namespace carom::app

@@ -1,0 +1,36 @@
+#pragma once
+// How many collisions a second the engine resolves here.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "carom/scene/scene.hpp"
+
+namespace carom::app {
+
+/// One measurement: a gas of elastic balls, warmed up, then watched in windows.
+struct BenchCase {
+  int dimension = 3;
+  std::int64_t balls = 1000;
+  double packing = 0.49;       ///< [-]
+  double warm_up = 10;         ///< collisions of each ball before the first window
+  int windows = 7;
+  double seconds = 3.5;        ///< of processor time in all windows
+  std::uint64_t seed = 1;
+  EngineSpec engine{};
+};
+
+struct BenchResult {
+  std::string composition;
+  double start_seconds = 0.0;           ///< processor time until the gas stands and its first events are queued
+  std::int64_t warm_up_collisions = 0;
+  double median = 0.0, lowest = 0.0, highest = 0.0;  ///< collisions a second of processor time, over the windows
+  std::optional<double> predictions;    ///< pairs computed a collision; none: the engine does not count them
+  std::optional<double> bytes_per_ball; ///< growth of the peak of the resident memory over what was there before
+};
+
+/// The balls have diameter 1 and thermal speed 1. Throws InputError.
+[[nodiscard]] BenchResult bench(const BenchCase& c);
+
+}  // namespace carom::app

@@ -1,0 +1,118 @@
+#include "bench_command.hpp"
+
+#include <fmt/core.h>
+
+#include "carom/core/error.hpp"
+#include "scene/keywords.hpp"
+#include "scene/words.hpp"
+#include "write/json_text.hpp"
+
+namespace carom::app {
+
+namespace {
+
+template <class E>
+E choice(const char* option, const std::string& word, std::span<const scene_text::Word<E>> words) {
+  for (const auto& w : words)
+    if (word == w.text) return w.value;
+  std::vector<std::string_view> known;
+  for (const auto& w : words) known.push_back(w.text);
+  throw InputError(Problem{"", 0, fmt::format("{} is {}", option, scene_text::in_quotes(word)), "there is no such one",
+                           scene_text::suggestion(word, known)});
+}
+
+/// The measurements asked for, packing by packing and from few balls to many.
+std::vector<BenchCase> cases(const BenchOptions& options) {
+  std::vector<double> packing = options.packing;
+  const int d = options.common.dimension;
+  if (packing.empty()) packing = d == 3 ? std::vector{0.49, 0.3} : d == 2 ? std::vector{0.65, 0.3} : std::vector{0.3};
+  std::vector<BenchCase> list;
+  for (const double phi : packing)
+    for (const std::int64_t n : options.balls) {
+      BenchCase& c = list.emplace_back(options.common);
+      c.balls = n;
+      c.packing = phi;
+      if (!options.search.empty()) c.engine.search = choice<SearchKind>("--search", options.search, scene_text::search_kinds);
+      if (!options.queue.empty()) c.engine.queue = choice<QueueKind>("--queue", options.queue, scene_text::queue_kinds);
+    }
+  return list;
+}
+
+Json row_of(const BenchCase& c, const BenchResult& r) {
+  const auto number = [](const std::optional<double>& x) { return x ? Json(*x) : Json(nullptr); };
+  return {{"dimension", c.dimension},
+          {"packing_fraction", c.packing},
+          {"balls", c.balls},
+          {"composition", r.composition},
+          {"collisions_per_second", r.median},
+          {"lowest", r.lowest},
+          {"highest", r.highest},
+          {"nanoseconds_per_collision", 1e9 / r.median},
+          {"predictions_per_collision", number(r.predictions)},
+          {"bytes_per_ball", number(r.bytes_per_ball)},
+          {"start_seconds", r.start_seconds},
+          {"warm_up_collisions", r.warm_up_collisions},
+          {"windows", c.windows}};
+}
+
+void print(std::ostream& out, const BenchCase& c, const BenchResult& r) {
+  const auto number = [](const char* format, const std::optional<double>& x) {
+    return x ? fmt::format(fmt::runtime(format), *x) : std::string("-");
+  };
+  out << fmt::format("{:>2}-D {:>7.3g} {:>10} {:>10.3g} {:>9.3g} {:>9.3g} {:>9.0f} {:>9} {:>10} {:>8.2f}  {}\n", c.dimension,
+                     c.packing, c.balls, r.median, r.lowest, r.highest, 1e9 / r.median, number("{:.1f}", r.predictions),
+                     number("{:.0f}", r.bytes_per_ball), r.start_seconds, r.composition);
+  out.flush();
+}
+
+}  // namespace
+
+CLI::App* add_bench_command(CLI::App& program, BenchOptions& options) {
+  CLI::App* command = program.add_subcommand("bench", "Measures collisions per second on this machine");
+  command->add_option("--balls", options.balls, "Numbers of balls, 1000,10000,100000 if not given")
+      ->delimiter(',')
+      ->check(CLI::Range(std::int64_t{2}, std::int64_t{100'000'000}))
+      ->type_name("N,...");
+  command->add_option("--packing", options.packing, "Packing fractions, 0.49,0.3 if not given (0.65,0.3 in 2-D)")
+      ->delimiter(',')
+      ->type_name("PHI,...");
+  BenchCase& c = options.common;
+  command->add_option("--dimension", c.dimension, "1, 2 or 3")->check(CLI::Range(1, 3))->capture_default_str();
+  command->add_option("--warm-up", c.warm_up, "Collisions of each ball before measuring")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  command->add_option("--seconds", c.seconds, "Processor time of all windows of a row")
+      ->check(CLI::Range(1e-3, 1e6))
+      ->capture_default_str();
+  command->add_option("--windows", c.windows, "Windows, of which the median counts")->check(CLI::Range(1, 1000))->capture_default_str();
+  command->add_option("--seed", c.seed, "Of the placement and the velocities")->capture_default_str();
+  command->add_option("--search", options.search, "As [engine] search")->type_name("WORD");
+  command->add_option("--queue", options.queue, "As [engine] queue")->type_name("WORD");
+  command->add_flag("--json", options.json, "Prints one JSON object");
+  command->footer(
+      "Example:\n  carom bench --balls 1000,1000000 --packing 0.49 --json\n\n"
+      "Each row is a gas of elastic disks or spheres in a periodic cell, warmed up first. Seconds are processor time of the\n"
+      "one thread that works; low and high are the slowest and the fastest window; bytes are the growth of the peak of the\n"
+      "resident memory; start is the time until the first collision.");
+  return command;
+}
+
+ExitStatus bench(const BenchOptions& options, const Console& console) {
+  Json rows = Json::array();
+  bool first = true;
+  for (const BenchCase& c : cases(options)) {
+    const BenchResult result = bench(c);
+    if (options.json) {
+      rows.push_back(row_of(c, result));
+    } else {
+      if (first)
+        console.out << "     packing      balls  collisions/s     low      high  ns/coll.  pairs/c.  bytes/ball  start s  composition\n";
+      print(console.out, c, result);
+    }
+    first = false;
+  }
+  if (options.json) console.out << json_text({{"rows", rows}});
+  return ExitStatus::done;
+}
+
+}  // namespace carom::app

@@ -1,0 +1,80 @@
+// carom bench: what its rows say.
+
+#include "app/program.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace carom {
+namespace {
+
+using test::carom;
+using test::Folder;
+using testing::HasSubstr;
+
+const std::vector<std::string> quick{"bench", "--warm-up", "1", "--seconds", "0.01", "--windows", "3"};
+
+std::vector<std::string> quick_with(std::vector<std::string> more) {
+  std::vector<std::string> words = quick;
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+TEST(Bench, has_a_row_for_each_packing_and_number) {
+  const Folder folder;
+  const auto o = carom(folder, quick_with({"--balls", "50,200", "--packing", "0.1,0.4", "--dimension", "2", "--json"}));
+  ASSERT_EQ(o.status, 0) << o.err;
+  const auto rows = nlohmann::json::parse(o.out)["rows"];
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_EQ(rows[1]["balls"], 200);
+  EXPECT_EQ(rows[1]["packing_fraction"], 0.1);
+  EXPECT_EQ(rows[2]["packing_fraction"], 0.4);
+  for (const auto& row : rows) {
+    const double rate = row["collisions_per_second"];
+    EXPECT_GT(rate, 0);
+    EXPECT_LE(row["lowest"].get<double>(), rate);
+    EXPECT_GE(row["highest"].get<double>(), rate);
+    EXPECT_DOUBLE_EQ(row["nanoseconds_per_collision"].get<double>() * rate, 1e9);
+    EXPECT_EQ(row["warm_up_collisions"], row["balls"].get<int>() / 2);
+    EXPECT_EQ(row["dimension"], 2);
+    EXPECT_EQ(row["windows"], 3);
+    EXPECT_TRUE(row.contains("bytes_per_ball") && row.contains("predictions_per_collision"));
+  }
+}
+
+TEST(Bench, prints_a_table) {
+  const Folder folder;
+  const auto o = carom(folder, quick_with({"--balls", "50", "--packing", "0.3"}));
+  ASSERT_EQ(o.status, 0) << o.err;
+  EXPECT_THAT(o.out, HasSubstr("collisions/s"));
+  EXPECT_THAT(o.out, HasSubstr("3-D     0.3         50"));
+  EXPECT_TRUE(folder.files().size() == 2U) << "stdout and stderr; no file of its own";
+}
+
+// 20000 balls: a position, a velocity and a queued event each take 100 bytes at least.
+TEST(Bench, counts_the_memory_of_each_row_anew) {
+  const Folder folder;
+  const auto o = carom(folder, quick_with({"--balls", "20000,20000", "--packing", "0.1", "--json"}));
+  ASSERT_EQ(o.status, 0) << o.err;
+  for (const auto& row : nlohmann::json::parse(o.out)["rows"]) {
+    if (row["bytes_per_ball"].is_null()) continue;  // a system that cannot forget its peak
+    EXPECT_GT(row["bytes_per_ball"].get<double>(), 100);
+    EXPECT_LT(row["bytes_per_ball"].get<double>(), 5000);
+  }
+}
+
+TEST(Bench, refuses_what_it_cannot_measure) {
+  const Folder folder;
+  EXPECT_EQ(carom(folder, {"bench", "--balls", "1"}).status, 2);
+  EXPECT_EQ(carom(folder, {"bench", "--dimension", "4"}).status, 2);
+  const auto dense = carom(folder, quick_with({"--balls", "50", "--packing", "0.9"}));
+  EXPECT_EQ(dense.status, 2);
+  EXPECT_THAT(dense.err, HasSubstr("packing fraction"));
+  const auto search = carom(folder, quick_with({"--balls", "50", "--search", "magic"}));
+  EXPECT_EQ(search.status, 2);
+  EXPECT_THAT(search.err, HasSubstr("--search is \"magic\""));
+}
+
+}  // namespace
+}  // namespace carom
