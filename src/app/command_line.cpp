@@ -24,6 +24,7 @@ class Parser {
     program_.footer("Example:\n  carom new break_shot && carom run break_shot.toml\n\nEvery command has --help.");
     run_command_ = add_run_command(program_, run_);
     check_command_ = add_check_command(program_, check_);
+    certify_command_ = add_certify_command(program_, certify_);
     compare_command_ = add_compare_command(program_, compare_);
     explain_command_ = add_explain_command(program_, explain_);
     new_command_ = add_new_command(program_, new_);
@@ -40,6 +41,7 @@ class Parser {
     }
     if (run_command_->parsed()) return run_;
     if (check_command_->parsed()) return check_;
+    if (certify_command_->parsed()) return certify_;
     if (compare_command_->parsed()) return compare_;
     if (explain_command_->parsed()) return explain_;
     if (new_command_->parsed()) return new_;
@@ -48,8 +50,8 @@ class Parser {
   }
 
  private:
-  [[nodiscard]] std::array<const CLI::App*, 6> commands() const {
-    return {run_command_, check_command_, compare_command_, explain_command_, new_command_, bench_command_};
+  [[nodiscard]] std::array<const CLI::App*, 7> commands() const {
+    return {run_command_, check_command_, compare_command_, explain_command_, new_command_, bench_command_, certify_command_};
   }
 
   [[nodiscard]] bool known(const std::string& word) const {
@@ -80,11 +82,12 @@ class Parser {
   CLI::App program_;
   RunOptions run_;
   CheckOptions check_;
+  CertifyOptions certify_;
   CompareOptions compare_;
   ExplainOptions explain_;
   NewOptions new_;
   BenchOptions bench_;
-  CLI::App *run_command_, *check_command_, *compare_command_, *explain_command_, *new_command_, *bench_command_;
+  CLI::App *run_command_, *check_command_, *compare_command_, *explain_command_, *new_command_, *bench_command_, *certify_command_;
 };
 
 ExitStatus carry_out(const Answer& answer, const Console& console) {
@@ -93,6 +96,7 @@ ExitStatus carry_out(const Answer& answer, const Console& console) {
 }
 ExitStatus carry_out(const RunOptions& options, const Console& console) { return run(options, console); }
 ExitStatus carry_out(const CheckOptions& options, const Console& console) { return check(options, console); }
+ExitStatus carry_out(const CertifyOptions& options, const Console& console) { return certify(options, console); }
 ExitStatus carry_out(const CompareOptions& options, const Console& console) { return compare(options, console); }
 ExitStatus carry_out(const ExplainOptions& options, const Console& console) { return explain(options, console); }
 ExitStatus carry_out(const NewOptions& options, const Console& console) { return new_scene(options, console); }

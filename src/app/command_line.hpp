@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bench_command.hpp"
+#include "certify_command.hpp"
 #include "check_command.hpp"
 #include "compare_command.hpp"
 #include "console.hpp"
@@ -22,7 +23,7 @@ struct Answer {
   std::string text;
 };
 
-using Command = std::variant<Answer, RunOptions, CheckOptions, CompareOptions, ExplainOptions, NewOptions, BenchOptions>;
+using Command = std::variant<Answer, RunOptions, CheckOptions, CompareOptions, ExplainOptions, NewOptions, BenchOptions, CertifyOptions>;
 
 /// `words` are the arguments without the program's name.
 [[nodiscard]] Command parse(const std::vector<std::string>& words);

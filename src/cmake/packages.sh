@@ -2,7 +2,7 @@
 
 build_packages=(g++ cmake ninja-build
   libboost-dev libeigen3-dev libgsl-dev libfmt-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev
-  libmpfr-dev libgmp-dev)
+  libmpfr-dev libgmp-dev libmpfi-dev)
 test_packages=(libgtest-dev libgmock-dev librapidcheck-dev
   libbox2d-dev libchipmunk-dev libbullet-dev)  # `carom compare` sets these beside carom
 

@@ -60,7 +60,7 @@ TEST(Program, refuses_wrong_command_lines_with_status_2) {
 TEST(Program, refuses_by_name_what_is_not_built) {
   const Folder folder;
   folder.write("a.toml", test::head_on(2));
-  const test::Outcome o = carom(folder, {"certify", "a.toml"});
+  const test::Outcome o = carom(folder, {"orbit", "a.toml"});
   EXPECT_EQ(o.status, 2);
   EXPECT_EQ(o.out, "");
   EXPECT_THAT(o.err, HasSubstr("not built yet"));
