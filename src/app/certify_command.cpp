@@ -100,7 +100,7 @@ void print(std::ostream& out, const Report& r, double seconds, bool verified) {
 std::string complaint(const Report& r, bool verified) {
   const std::string where = fmt::format("event {}: {}", r.at_event, r.what);
   if (r.tie)
-    return where + ": a tie. Both times are the same expression, and mechanics does not say which comes first. Remedy: move a ball by a little";
+    return where + ": a tie, exactly: mechanics does not say which comes first. Remedy: move a ball by a little";
   if (r.verdict == Verdict::refuted)
     return where + (verified ? ": the certificate is wrong" : ": the log of the simulation is wrong: this is a bug in carom");
   return fmt::format("{}: undecided in {} digits, where it is known to 1e{:.0f}. Remedy: --max-digits", where, r.digits, r.log10_width);

@@ -9,6 +9,7 @@ namespace carom::certify {
 namespace {
 
 constexpr int coarse_depth = 12;      // what doubles do not show by then, they hardly show
+constexpr int most_halvings = 2000;
 constexpr double most_images = 1e6;  // of a pair, in one span
 constexpr double most_turns = 1e9;   // periods between two balls
 constexpr double turn_doubt = 1e-6;  // above what the rounding of a quotient moves it below most_turns
@@ -29,7 +30,7 @@ I end_of(const Enclosure& x, bool upper) {
 }  // namespace
 
 Apart::Apart(const System& system, int bits)
-    : system_(system), fine_(system, numbers_of(system)), coarse_(system, coarse(fine_.numbers())), depth_(bits) {
+    : system_(system), fine_(system, numbers_of(system)), coarse_(system, coarse(fine_.numbers())), depth_(std::min(bits, most_halvings)) {
   if (system.dimension == 1) order_on_a_line();
 }
 

@@ -86,6 +86,7 @@ double Enclosure::log10_size() const {
 
 namespace {
 std::string text(const char* format, int digits, mpfr_srcptr x) {
+  if (mpfr_zero_p(x) != 0) return "0";  // of either sign
   const int length = mpfr_snprintf(nullptr, 0, format, digits, x);
   std::vector<char> characters(static_cast<std::size_t>(length) + 1);
   mpfr_snprintf(characters.data(), characters.size(), format, digits, x);

@@ -138,7 +138,7 @@ class Try {
 
 Report prove(const Scene& scene, const Options& options, const Watch& watch) {
   const System system = system_of(scene);
-  return with_more_digits(options, options.digits, [&](int digits) { return Try(scene, system, digits, watch)(); });
+  return with_more_digits(options, options.digits, false, [&](int digits) { return Try(scene, system, digits, watch)(); });
 }
 
 }  // namespace carom::certify

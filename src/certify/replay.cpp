@@ -6,8 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "tie.hpp"
-
 namespace carom::certify {
 
 namespace {
@@ -16,6 +14,12 @@ namespace {
 // off by more than so many widths is wrong.
 constexpr double log_slack = 1024.0;
 constexpr std::size_t most_recent = 256;
+constexpr std::int64_t most_periods = std::int64_t{1} << 52;  // a double holds them exactly
+
+Apart::Period back(Apart::Period period) {
+  for (std::int64_t& n : period) n = -n;
+  return period;
+}
 
 }  // namespace
 
@@ -69,7 +73,8 @@ std::optional<Replay::Parties> Replay::parties_of(const Claim& c) const {
   }
   if (c.partner >= flights_.size() || c.partner == c.ball) return std::nullopt;
   if (!system_.balls[c.ball].mass && !system_.balls[c.partner].mass) return std::nullopt;
-  if (!system_.period && c.period != Apart::Period{}) return std::nullopt;
+  for (const std::int64_t n : c.period)
+    if (n > most_periods || n < -most_periods || (n != 0 && !system_.period)) return std::nullopt;
   p.right = c.partner;
   p.period = c.period;
   if (system_.dimension > 1) return p;
@@ -114,11 +119,7 @@ Finding Replay::take(const Claim& claim) {
   };
   const Enclosure reach = (slack_ + slack_ + guess.size() * Enclosure(0x1p-20)).upper();
   const Contact contact = find_contact(gap_at, guess, reach);
-  if (contact.proof != Proof::yes) {
-    Finding f = report(contact.proof, name(p) + ": " + contact.what, contact.offset);
-    f.tie = contact.proof == Proof::unknown && is_tie(p);
-    return f;
-  }
+  if (contact.proof != Proof::yes) return report(contact.proof, name(p) + ": " + contact.what, contact.offset);
   const Enclosure time = contact.time();
   if (is_edge) {
     // Between its ends.
@@ -143,10 +144,8 @@ Finding Replay::judge_order(const Parties& p, const Enclosure& time) const {
     const Flight& f = flights_[i];
     if (is_before(f.start, time)) continue;
     if (is_before(time, f.start)) return report(Proof::no, fmt::format("{}: it is before event {} of ball {}", name(p), f.met.event, i), time.width());
-    Finding unknown = report(Proof::unknown, fmt::format("{}: its time cannot be told from that of event {} of ball {}", name(p), f.met.event, i),
-                             (time - f.start).size());
-    unknown.tie = is_tie(p);
-    return unknown;
+    return report(Proof::unknown, fmt::format("{}: its time cannot be told from that of event {} of ball {}", name(p), f.met.event, i),
+                  (time - f.start).size());
   }
   if (is_before(time, latest_start_)) return report(Proof::no, name(p) + ": it is before an event that the log has before it", time.width());
   return {};
@@ -175,11 +174,15 @@ Finding Replay::judge_time(const Parties& p, const Claim& claim, const Enclosure
   return {};
 }
 
-/// The contact with which two flights began together.
+/// The contact that the flights of two balls began with. The motion of an infinite mass goes on: it begins no flight.
 std::optional<KnownContact> Replay::begun_together(std::uint32_t i, const Flight& a, std::uint32_t j, const Flight& b) const {
-  if (a.met.event == 0 || a.met.event != b.met.event || a.met.kind != MeetingKind::ball_ball || a.met.partner != j || b.met.partner != i)
-    return std::nullopt;
-  return KnownContact{a.start, false, a.met.order, a.met.period, 1};
+  const auto met = [](const Flight& f, std::uint32_t other) {
+    return f.met.event != 0 && f.met.kind == MeetingKind::ball_ball && f.met.partner == other;
+  };
+  if (met(a, j) && (!system_.balls[j].mass || (met(b, i) && a.met.event == b.met.event)))
+    return KnownContact{a.start, false, a.met.order, a.met.period, 1};
+  if (met(b, i) && !system_.balls[i].mass) return KnownContact{b.start, false, b.met.order, back(b.met.period), 1};
+  return std::nullopt;
 }
 
 Finding Replay::prove_balls(std::uint32_t i, const Flight& a, std::uint32_t j, const Flight& b, const Span& span, const KnownContact* end) const {
@@ -220,22 +223,31 @@ Finding Replay::prove_apart(const Parties& p, const Enclosure& time, int side) c
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
     if (system_.dimension > 1) {
       for (std::uint32_t j = 0; j < n; ++j)
-        if (j != i && j != done) pairs.emplace_back(i, j);
+        if (j != i && j != done) pairs.push_back(!p.piece && j == p.left ? std::pair{j, i} : std::pair{i, j});  // left, right
     } else {
       if (const auto& right = apart_.right_of(i)) pairs.emplace_back(i, right->ball);
       if (const auto& left = apart_.left_of(i); left && left->ball != done) pairs.emplace_back(left->ball, i);
     }
-    for (const auto& [a, b] : pairs)
-      if (Finding f = balls(a, b); f.proof != Proof::yes) return f;
-    if (system_.balls[i].fixed) return {};
+    for (const auto& [a, b] : pairs) {
+      Finding f = balls(a, b);
+      if (f.proof == Proof::yes) continue;
+      return tie_or(f, p, {a, b, p.period, {}});
+    }
     for (std::size_t k = 0; k < system_.pieces.size(); ++k) {
-      const bool meet = p.piece == k;
-      if (Finding f = prove_piece(i, flights_[i], k, {flights_[i].earliest, to}, meet ? &end : nullptr); f.proof != Proof::yes) return f;
+      Finding f = prove_piece(i, flights_[i], k, {flights_[i].earliest, to}, p.piece == k ? &end : nullptr);
+      if (f.proof == Proof::yes) continue;
+      return tie_or(f, p, {i, 0, {}, k});
     }
     return {};
   };
-  if (Finding f = all_of(p.left, std::nullopt); f.proof != Proof::yes) return f;
-  return p.piece ? Finding{} : all_of(p.right, p.left);
+  // The motion of an infinite mass does not change: with whom it meets is proven for that one.
+  std::optional<std::uint32_t> done;
+  for (const std::uint32_t i : p.balls()) {
+    if (!system_.balls[i].mass) continue;
+    if (Finding f = all_of(i, done); f.proof != Proof::yes) return f;
+    done = i;
+  }
+  return {};
 }
 
 /// Events that share no ball, and whose times cannot be told apart, may be in either order: a ball's new flight is apart
@@ -245,6 +257,7 @@ Finding Replay::prove_either_order(const Enclosure& time, const std::vector<Next
   for (const Recent& r : recent_) {
     if (is_before(r.time, time)) continue;
     for (const std::uint32_t i : r.parties.balls()) {
+      if (!system_.balls[i].mass) continue;
       if (flights_[i].met.event != r.event) return report(Proof::unknown, "too many events at one moment", time.width());
       for (const Next& other : next) {
         const Span span{other.flight.earliest, r.latest};
@@ -291,9 +304,12 @@ std::vector<Replay::Next> Replay::impact(const Parties& p, const Contact& contac
   left.flight.met.partner = p.right;
   left.flight.met.period = p.period;
   right.flight.met.partner = p.left;
-  for (std::size_t k = 0; k < 3; ++k) right.flight.met.period[k] = -p.period[k];
+  right.flight.met.period = back(p.period);
   left.flight.met.order = right.flight.met.order = impacts_.plastic_pair(p.left, p.right) ? 2 : 1;
-  return {left, right};
+  std::vector<Next> both;
+  for (Next* n : {&left, &right})
+    if (system_.balls[n->ball].mass) both.push_back(std::move(*n));
+  return both;
 }
 
 void Replay::commit(const Parties& p, std::vector<Next> next, const Enclosure& time) {
@@ -310,20 +326,17 @@ void Replay::commit(const Parties& p, std::vector<Next> next, const Enclosure& t
   recent_.pop_front();
 }
 
-/// Did a party of this meeting have its last event, its first one, at the very moment of this meeting?
-bool Replay::is_tie(const Parties& p) const {
-  const auto first = [](const Parties& q) { return FirstMeeting{q.left, q.right, q.period, q.piece}; };
-  for (const std::uint32_t i : p.balls()) {
-    const auto r = std::find_if(recent_.begin(), recent_.end(), [&](const Recent& e) { return e.event == flights_[i].met.event; });
-    if (r == recent_.end()) continue;
-    // Everybody was on the first flight until then.
-    const auto on_first = [&](std::uint32_t j) { return flights_[j].met.event == 0 || (flights_[j].met.event == r->event && before_[j].met.event == 0); };
-    const std::vector<std::uint32_t> balls = p.balls(), others = r->parties.balls();
-    if (!std::all_of(balls.begin(), balls.end(), on_first)) continue;
-    if (!std::all_of(others.begin(), others.end(), [&](std::uint32_t j) { return before_[j].met.event == 0; })) continue;
-    if (same_time(exact_gap(system_, first(p)), exact_gap(system_, first(r->parties)))) return true;
-  }
-  return false;
+/// What could not be told, because two meetings happen at one moment, exactly; or as it was. Seen only while everybody is on
+/// the first flight.
+Finding Replay::tie_or(Finding f, const Parties& p, const FirstMeeting& other) const {
+  const auto on_first = [&](std::uint32_t j) { return flights_[j].met.event == 0; };
+  const std::vector<std::uint32_t> balls = p.balls();
+  if (f.proof != Proof::unknown || !std::all_of(balls.begin(), balls.end(), on_first) || !on_first(other.ball)) return f;
+  if (!other.piece && !on_first(other.partner)) return f;
+  if (!same_time(exact_gap(system_, {p.left, p.right, p.period, p.piece}), exact_gap(system_, other))) return f;
+  f.tie = true;
+  f.what = fmt::format("{} meet at the moment at which {} do", name(p), name({other.ball, other.partner, {}, other.piece}));
+  return f;
 }
 
 Finding Replay::finish(const std::optional<Rational>& until) {

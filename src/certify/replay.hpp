@@ -11,6 +11,7 @@
 #include "carom/certify/claim.hpp"
 #include "contact.hpp"
 #include "impact.hpp"
+#include "tie.hpp"
 
 namespace carom::certify {
 
@@ -75,7 +76,7 @@ class Replay {
   [[nodiscard]] Finding prove_either_order(const Enclosure& time, const std::vector<Next>& next) const;
   [[nodiscard]] std::vector<Next> impact(const Parties& p, const Contact& contact, int side) const;
   [[nodiscard]] std::optional<KnownContact> begun_together(std::uint32_t i, const Flight& a, std::uint32_t j, const Flight& b) const;
-  [[nodiscard]] bool is_tie(const Parties& p) const;
+  [[nodiscard]] Finding tie_or(Finding f, const Parties& p, const FirstMeeting& other) const;
   void commit(const Parties& p, std::vector<Next> next, const Enclosure& time);
 
   const System& system_;

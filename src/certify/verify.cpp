@@ -8,6 +8,7 @@
 #include "carom/core/error.hpp"
 #include "certificate.hpp"
 #include "outcome.hpp"
+#include "start.hpp"
 
 namespace carom::certify {
 
@@ -61,11 +62,13 @@ Report verify(std::istream& certificate, const Options& options, const Watch& wa
       digits = reader.digits();
       if (scene != nullptr && text_of(system_of(*scene)) != text_of(reader.system()))
         throw InputError(Problem{"", 0, "the certificate is of another scene", "", "Verify it alone, or with the scene that it was made of"});
+      const std::string contact = contact_at_the_start(reader.system(), reader.system().balls.size());
+      if (!contact.empty()) throw InputError(Problem{"", 0, contact, "a proof begins with all balls apart", "Give a certificate that carom wrote"});
     }
     const int first = std::max(options.digits, digits + more_digits);
     Options more = options;
     more.max_digits = std::max(options.max_digits, 2 * first);
-    return with_more_digits(more, first, [&](int n) { return check(rewound(), n, watch); });
+    return with_more_digits(more, first, true, [&](int n) { return check(rewound(), n, watch); });
   } catch (const std::invalid_argument& error) {
     throw InputError(Problem{"", 0, error.what(), "", "Give a certificate that carom wrote"});
   }
