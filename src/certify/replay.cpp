@@ -65,6 +65,8 @@ std::string Replay::name(const Parties& p) const {
 std::optional<Replay::Parties> Replay::parties_of(const Claim& c) const {
   Parties p;
   if (c.ball >= flights_.size()) return std::nullopt;
+  for (const std::int64_t n : c.period)
+    if (n > most_periods || n < -most_periods || (n != 0 && !system_.period)) return std::nullopt;
   p.left = c.ball;
   if (c.kind == MeetingKind::ball_wall) {
     for (std::size_t k = 0; k < system_.pieces.size(); ++k)
@@ -73,8 +75,6 @@ std::optional<Replay::Parties> Replay::parties_of(const Claim& c) const {
   }
   if (c.partner >= flights_.size() || c.partner == c.ball) return std::nullopt;
   if (!system_.balls[c.ball].mass && !system_.balls[c.partner].mass) return std::nullopt;
-  for (const std::int64_t n : c.period)
-    if (n > most_periods || n < -most_periods || (n != 0 && !system_.period)) return std::nullopt;
   p.right = c.partner;
   p.period = c.period;
   if (system_.dimension > 1) return p;
