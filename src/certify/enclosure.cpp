@@ -73,6 +73,13 @@ Enclosure Enclosure::around() const {
   return s;
 }
 
+Enclosure Enclosure::with_zero() const {
+  Enclosure x(*this);
+  if (mpfr_sgn(&x.x_->left) > 0) mpfr_set_zero(&x.x_->left, 1);
+  if (mpfr_sgn(&x.x_->right) < 0) mpfr_set_zero(&x.x_->right, 1);
+  return x;
+}
+
 Outward Enclosure::outward() const { return {mpfr_get_d(&x_->left, MPFR_RNDD), mpfr_get_d(&x_->right, MPFR_RNDU)}; }
 double Enclosure::nearest() const { return mpfi_get_d(x_); }
 

@@ -73,6 +73,7 @@ class Enclosure {
   [[nodiscard]] Enclosure width() const;   ///< upper - lower, a point, rounded up
   [[nodiscard]] Enclosure size() const;    ///< the largest magnitude, a point
   [[nodiscard]] Enclosure around() const;  ///< from -size() to size()
+  [[nodiscard]] Enclosure with_zero() const;  ///< from the lower end or 0 to the upper end or 0
 
   /// The same in doubles, rounded outwards.
   [[nodiscard]] Outward outward() const;

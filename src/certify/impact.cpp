@@ -59,31 +59,29 @@ void Impacts::pair(std::uint32_t i, State<Enclosure>& a, std::uint32_t j, State<
   const Relative<Enclosure> r = gaps_.between(i, a, j, b, period);
   const Enclosure& s = contact.offset;
   if (d_ == 1) return pair_on_a_line(i, a, j, b, r, period[0], s);
-  Triple<Enclosure> n, u = r.u;
-  for (std::size_t k = 0; k < d_; ++k) {
-    n[k] = r.y[k] + r.u[k] * s;
-    if (!r.curved) continue;
-    n[k] = n[k] + half(r.a[k]) * square(s);
-    u[k] = u[k] + r.a[k] * s;
-  }
-  const Matrix m = along(n, square(gaps_.reach_of_pair(i, j)));
+  const State<Enclosure> ma = middle_of(a, d_), mb = middle_of(b, d_);
+  const State<Enclosure> da = difference(a, ma, d_), db = difference(b, mb, d_);
+  const Jump jump(gaps_, d_, r, gaps_.between(i, ma, j, mb, period), gaps_.reach_of_pair(i, j), s);
   const Share &of_a = share(i, j), &of_b = share(j, i);
-  const State<Enclosure> a0 = a, b0 = b;
+  apply(jump, of_a.takes, ma, da, db, false, a);
+  apply(jump, of_b.takes, mb, db, da, true, b);
+}
+
+/// v + c h and x - c g at the middle, and the derivative over the box: own differences from the middle enter with 1 - c,
+/// those of the other with c. For either ball: exchanging the two turns y, u, h and g round, and leaves their derivatives.
+void Impacts::apply(const Jump& jump, const Enclosure& takes, const State<Enclosure>& middle, const State<Enclosure>& own,
+                    const State<Enclosure>& other, bool turned, State<Enclosure>& to) const {
   for (std::size_t k = 0; k < d_; ++k) {
-    Enclosure change;  // of the relative velocity, by the normal
+    const Enclosure kick = takes * jump.h[k], shift = takes * jump.g[k];
+    to.v[k] = turned ? middle.v[k] - kick : middle.v[k] + kick;
+    to.x[k] = turned ? middle.x[k] + shift : middle.x[k] - shift;
     for (std::size_t l = 0; l < d_; ++l) {
-      change = change + m[k][l] * u[l];
-      // v' = (1 - c n n^T) v + c n n^T w: each velocity enters once.
-      const Enclosure ca = of_a.takes * m[k][l], cb = of_b.takes * m[k][l];
       const Enclosure one(k == l ? 1.0 : 0.0);
-      a.v[k] = (l == 0 ? Enclosure() : a.v[k]) + (one - ca) * a0.v[l] + ca * b0.v[l];
-      b.v[k] = (l == 0 ? Enclosure() : b.v[k]) + (one - cb) * b0.v[l] + cb * a0.v[l];
-      if (!r.curved) continue;
-      a.v[k] = a.v[k] + ca * (r.a[l] * s);
-      b.v[k] = b.v[k] - cb * (r.a[l] * s);
+      const Enclosure vy = takes * jump.h_y[k][l], vu = takes * jump.h_u[k][l];
+      const Enclosure xy = takes * jump.g_y[k][l], xu = takes * jump.g_u[k][l];
+      to.v[k] = to.v[k] + (one - vu) * own.v[l] + vu * other.v[l] + vy * (other.x[l] - own.x[l]);
+      to.x[k] = to.x[k] + (one + xy) * own.x[l] - xy * other.x[l] - xu * (other.v[l] - own.v[l]);
     }
-    a.x[k] = a0.x[k] - of_a.takes * change * s;
-    b.x[k] = b0.x[k] + of_b.takes * change * s;
   }
 }
 
@@ -110,31 +108,11 @@ void Impacts::wall(std::uint32_t i, State<Enclosure>& a, std::size_t piece, int 
   if (kind.kind == PieceKind::plane || kind.kind == PieceKind::edge) return flat_wall(i, a, piece, side, contact);
   const PieceNumbers<Enclosure>& p = gaps_.numbers().pieces[piece];
   const Relative<Enclosure> r = gaps_.beside(i, a, piece, contact.base);
-  const Enclosure& s = contact.offset;
-  Triple<Enclosure> n, u = r.u;
-  for (std::size_t k = 0; k < d_; ++k) {
-    n[k] = r.y[k] + r.u[k] * s;
-    if (!r.curved) continue;
-    n[k] = n[k] + half(r.a[k]) * square(s);
-    u[k] = u[k] + r.a[k] * s;
-  }
   const Enclosure radius = gaps_.numbers().radius[i];
   const Enclosure reach = kind.kind == PieceKind::vertex ? radius : kind.inside ? p.radius - radius : p.radius + radius;
-  const Matrix m = along(n, square(reach));
-  const Enclosure& takes = wall_shares_[system_.balls[i].material][kind.wall].takes;
-  const State<Enclosure> a0 = a;
-  for (std::size_t k = 0; k < d_; ++k) {
-    Enclosure change;
-    a.v[k] = Enclosure();
-    for (std::size_t l = 0; l < d_; ++l) {
-      change = change + m[k][l] * u[l];
-      const Enclosure c = takes * m[k][l];
-      a.v[k] = a.v[k] + (Enclosure(k == l ? 1.0 : 0.0) - c) * a0.v[l];
-      if (!is_zero(kind.velocity)) a.v[k] = a.v[k] + c * p.velocity[l];
-      if (r.curved) a.v[k] = a.v[k] - c * (r.a[l] * s);
-    }
-    a.x[k] = a0.x[k] + takes * change * s;
-  }
+  const State<Enclosure> middle = middle_of(a, d_);
+  const Jump jump(gaps_, d_, r, gaps_.beside(i, middle, piece, contact.base), reach, contact.offset);
+  apply(jump, wall_shares_[system_.balls[i].material][kind.wall].takes, middle, difference(a, middle, d_), State<Enclosure>{}, true, a);
 }
 
 /// A flat wall reflects the states at any one moment: x' = x - c n (n.(x - p) - r), but for the acceleration's share.

@@ -6,6 +6,7 @@
 
 #include "contact.hpp"
 #include "gaps.hpp"
+#include "jump.hpp"
 
 namespace carom::certify {
 
@@ -30,8 +31,10 @@ class Impacts {
   [[nodiscard]] bool plastic_wall(std::uint32_t i, std::size_t piece) const;
 
  private:
-  using Matrix = std::array<Triple<Enclosure>, 3>;
+  using Matrix = Jump::Matrix;
 
+  void apply(const Jump& jump, const Enclosure& takes, const State<Enclosure>& middle, const State<Enclosure>& own,
+             const State<Enclosure>& other, bool turned, State<Enclosure>& to) const;
   void pair_on_a_line(std::uint32_t i, State<Enclosure>& a, std::uint32_t j, State<Enclosure>& b, const Relative<Enclosure>& r,
                       std::int64_t period, const Enclosure& s) const;
   void flat_wall(std::uint32_t i, State<Enclosure>& a, std::size_t piece, int side, const Contact& contact) const;

@@ -16,7 +16,7 @@ namespace carom::certify {
 
 namespace {
 
-constexpr std::int64_t settle_every = 64;  // events; it costs a proof for every pair of balls
+constexpr std::int64_t settle_every = 64;  // events at least; it costs a proof for every pair of balls
 
 /// One try: a simulation and a replay of its log, event by event, in the same number of digits.
 class Try {
@@ -80,7 +80,8 @@ class Try {
       claim.upper = bounds.upper;
       write_event(rows_, system_, replay_.events(), claim);
     }
-    if (replay_.events() % settle_every == 0 && replay_.finish(std::nullopt).proof == Proof::yes) settle();
+    const auto every = std::max(settle_every, static_cast<std::int64_t>(system_.balls.size()));
+    if (replay_.events() % every == 0 && replay_.finish(std::nullopt).proof == Proof::yes) settle();
     if (beside_ != nullptr && !beside_->add(claim, place(claim, time))) beside_ = nullptr;
     if (watch_.progress) watch_.progress(replay_.events(), digits_);
   }

@@ -99,7 +99,13 @@ Finding Replay::take(const Claim& claim) {
     return report(Proof::unknown, name(p) + ": a point meets a vertex, where a wall has no normal", Enclosure());
   const bool is_edge = kind == PieceKind::edge;
 
-  const Enclosure guess = claim.enclosed ? half(Enclosure::near(claim.lower) + Enclosure::near(claim.upper)).middle() : Enclosure::near(claim.lower);
+  Enclosure guess = Enclosure::near(claim.lower);
+  Enclosure reach = slack_ + slack_ + guess.size() * Enclosure(0x1p-20);
+  if (claim.enclosed) {
+    const Enclosure last = Enclosure::near(claim.upper);
+    reach = reach + (last - guess).size();
+    guess = half(guess + last).middle();
+  }
   if (!guess.is_bounded()) return report(Proof::no, name(p) + ": its time is no number", Enclosure());
   const auto relative_to_piece = [&](const Enclosure& base) {
     return gaps.beside(p.left, gaps.state(p.left, a, base), *p.piece, base);
@@ -117,8 +123,7 @@ Finding Replay::take(const Claim& claim) {
     return gaps.pair_gap(p.left, p.right,
                          gaps.between(p.left, gaps.state(p.left, a, base), p.right, gaps.state(p.right, b, base), p.period));
   };
-  const Enclosure reach = (slack_ + slack_ + guess.size() * Enclosure(0x1p-20)).upper();
-  const Contact contact = find_contact(gap_at, guess, reach);
+  const Contact contact = find_contact(gap_at, guess, reach.upper());
   if (contact.proof != Proof::yes) return report(contact.proof, name(p) + ": " + contact.what, contact.offset);
   const Enclosure time = contact.time();
   if (is_edge) {
