@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "carom/core/error.hpp"
 #include "carom/core/multi.hpp"
@@ -93,6 +94,8 @@ class ComposedEngine final : public Simulation::Engine {
     const std::int64_t collisions = most.value_or(std::numeric_limits<std::int64_t>::max());
     stop_ = sink ? integrator_->advance(end, collisions, Translate{*this, sink}, interrupt)
                    : integrator_->advance(end, collisions, NoSink{}, interrupt);
+    stop_ = sink || motion_sink ? engine_.advance(end, collisions, Translate{*this, sink}, interrupt)
+                 : engine_.advance(end, collisions, NoSink{}, interrupt);
     const bool to_the_end = (stop_ == Stop::until || stop_ == Stop::no_events_left) && !end.is_never();
     if (to_the_end) {
       reached_ = end;
@@ -360,6 +363,27 @@ class ComposedEngine final : public Simulation::Engine {
                    world().units.angular_momentum());
   }
 
+  [[nodiscard]] MotionChange motion_of(std::uint32_t i) const {
+    const Ball<Real, D>& ball = world_.balls[i];
+    const Units& u = world_.units;
+    const Vec<Real, D> a = engine_.motion().acceleration(M::phase(ball));
+    MotionChange m;
+    m.ball = i;
+    m.time = nearest_time(ball.time);
+    m.epoch = ball.time.epoch;
+    m.offset = near(ball.time.offset, u.time);
+    for (int k = 0; k < D; ++k) {
+      m.position[k] = near(ball.position[k], u.length);
+      m.image[k] = world_.details[i].image[k];
+      m.velocity[k] = near(ball.velocity[k], u.velocity());
+      m.acceleration[k] = near(a[k], u.acceleration());
+    }
+    m.radius = near(ball.radius, u.length);
+    m.mass = near(world_.details[i].mass, u.mass);
+    m.alive = ball.alive;
+    return m;
+  }
+
   /// Hands records on as collisions in the user's units.
   struct Translate {
     static constexpr bool wants_records = true;
@@ -368,6 +392,8 @@ class ComposedEngine final : public Simulation::Engine {
 
     void operator()(const Record<Real, D>& r) const {
       const Units& u = engine.world().units;
+      if (!sink) return;
+      const Units& u = engine.world_.units;
       Collision c;
       c.time = engine.nearest_time(r.time);
       c.epoch = r.time.epoch;
@@ -386,13 +412,17 @@ class ComposedEngine final : public Simulation::Engine {
       c.dissipated = near(r.dissipated, u.energy());
       c.injected = near(r.injected, u.energy());
       c.tie = r.tie;
-        if constexpr (std::is_same_v<Real, double>) {
+      if constexpr (std::is_same_v<Real, double>) {
         sink(c);
       } else {
         const CollisionDigits digits = digits_of_record(r, u);
         c.digits = &digits;
         sink(c);
       }
+    }
+    void moved(std::span<const std::uint32_t> balls) const {
+      if (!engine.motion_sink) return;
+      for (const std::uint32_t i : balls) engine.motion_sink(engine.motion_of(i));
     }
     [[nodiscard]] CollisionDigits digits_of_record(const Record<Real, D>& r, const Units& u) const {
       CollisionDigits d;

@@ -50,6 +50,7 @@ class Simulation::Engine {
   std::uint64_t seed;
   std::optional<Number> until;
   std::optional<std::int64_t> events;
+  MotionSink motion_sink;
 
  private:
   Composition composition_;

@@ -64,6 +64,7 @@ Stop Simulation::advance(const std::optional<Number>& until, std::optional<std::
   return engine_->advance(until, events, sink, interrupt);
 }
 
+void Simulation::watch_motion(MotionSink sink) { engine_->motion_sink = std::move(sink); }
 void Simulation::reverse() { engine_->reverse(); }
 Number Simulation::time() const { return engine_->time(); }
 Summary Simulation::summary() const { return engine_->summary(); }

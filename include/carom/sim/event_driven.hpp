@@ -71,6 +71,7 @@ class EventDriven {
           instant_.begin();
         }
         Verdict verdict = collide(event, sink);
+        if constexpr (requires { sink.moved(collider_.moved()); }) sink.moved(collider_.moved());
         predict_moved();
         if (instant && verdict == Verdict::go_on && instant_.repeats(world_, event)) verdict = no_room();
         if (verdict == Verdict::collapse) return Stop::collapse;

@@ -59,6 +59,22 @@ struct Glimpse {
 
 using CollisionSink = std::function<void(const Collision&)>;
 
+/// How a ball goes on after an event that changed its motion, in the user's units: x + v s + a s^2 / 2 until its next
+/// change. Components beyond the dimension are 0.
+struct MotionChange {
+  std::uint32_t ball = 0;
+  double time = 0.0;  ///< [time] rounded; epoch and offset hold all of it
+  std::int64_t epoch = 0;
+  double offset = 0.0;                ///< [time] since the epoch began
+  std::array<double, 3> position{};   ///< wrapped
+  std::array<std::int64_t, 3> image{};
+  std::array<double, 3> velocity{}, acceleration{};
+  double radius = 0.0, mass = 1.0;
+  bool alive = true;  ///< false: it has left
+};
+
+using MotionSink = std::function<void(const MotionChange&)>;
+
 /// What runs a scene, and why that was chosen.
 struct Composition {
   std::string motion, search, queue;
@@ -87,6 +103,11 @@ class Simulation {
   /// Looking, sampling and stopping in between change nothing of what follows.
   Stop advance(const std::optional<Number>& until, std::optional<std::int64_t> events = std::nullopt,
                const CollisionSink& sink = {}, const std::atomic<bool>* interrupt = nullptr);
+
+  /// From now on `sink` is told of every ball whose motion an event has changed, whether that was a collision or not, after
+  /// the collision's own record. Collisions tell all of it where the law is "restitution" and no ball comes to rest: then
+  /// a simulation may tell nothing.
+  void watch_motion(MotionSink sink);
 
   /// Takes time() back to the last event, or to the start: where a run that has no events left ends.
   void return_to_last_event();
