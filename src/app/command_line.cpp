@@ -29,6 +29,7 @@ class Parser {
     explain_command_ = add_explain_command(program_, explain_);
     new_command_ = add_new_command(program_, new_);
     bench_command_ = add_bench_command(program_, bench_);
+    view_command_ = add_view_command(program_, view_);
   }
 
   Command parse(const std::vector<std::string>& words) {
@@ -46,12 +47,14 @@ class Parser {
     if (explain_command_->parsed()) return explain_;
     if (new_command_->parsed()) return new_;
     if (bench_command_->parsed()) return bench_;
+    if (view_command_->parsed()) return view_;
     return Answer{ExitStatus::wrong_input, "carom: a command is missing. See carom --help\n"};
   }
 
  private:
-  [[nodiscard]] std::array<const CLI::App*, 7> commands() const {
-    return {run_command_, check_command_, compare_command_, explain_command_, new_command_, bench_command_, certify_command_};
+  [[nodiscard]] std::array<const CLI::App*, 8> commands() const {
+  [[nodiscard]] std::array<const CLI::App*, 8> commands() const {
+    return {run_command_, check_command_, compare_command_, explain_command_, new_command_, bench_command_, certify_command_, view_command_};
   }
 
   [[nodiscard]] bool known(const std::string& word) const {
@@ -87,7 +90,8 @@ class Parser {
   ExplainOptions explain_;
   NewOptions new_;
   BenchOptions bench_;
-  CLI::App *run_command_, *check_command_, *compare_command_, *explain_command_, *new_command_, *bench_command_, *certify_command_;
+  ViewOptions view_;
+  CLI::App *run_command_, *check_command_, *compare_command_, *explain_command_, *new_command_, *bench_command_, *certify_command_, *view_command_;
 };
 
 ExitStatus carry_out(const Answer& answer, const Console& console) {
@@ -101,6 +105,7 @@ ExitStatus carry_out(const CompareOptions& options, const Console& console) { re
 ExitStatus carry_out(const ExplainOptions& options, const Console& console) { return explain(options, console); }
 ExitStatus carry_out(const NewOptions& options, const Console& console) { return new_scene(options, console); }
 ExitStatus carry_out(const BenchOptions& options, const Console& console) { return bench(options, console); }
+ExitStatus carry_out(const ViewOptions& options, const Console& console) { return view(options, console); }
 
 ExitStatus carry_out_any(const Command& command, const Console& console) {
   const ExitStatus status = std::visit([&](const auto& c) { return carry_out(c, console); }, command);

@@ -14,6 +14,7 @@
 #include "explain_command.hpp"
 #include "new_command.hpp"
 #include "run_command.hpp"
+#include "view_command.hpp"
 
 namespace carom::app {
 
@@ -23,7 +24,7 @@ struct Answer {
   std::string text;
 };
 
-using Command = std::variant<Answer, RunOptions, CheckOptions, CompareOptions, ExplainOptions, NewOptions, BenchOptions, CertifyOptions>;
+using Command = std::variant<Answer, RunOptions, CheckOptions, CompareOptions, ExplainOptions, NewOptions, BenchOptions, CertifyOptions, ViewOptions>;
 
 /// `words` are the arguments without the program's name.
 [[nodiscard]] Command parse(const std::vector<std::string>& words);

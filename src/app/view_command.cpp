@@ -1,0 +1,218 @@
+#include "view_command.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <system_error>
+
+#include <fmt/core.h>
+
+#include "carom/core/error.hpp"
+#include "carom/observe/course.hpp"
+#include "carom/observe/observers.hpp"
+#include "carom/sim/simulation.hpp"
+#include "carom/write/replay_log.hpp"
+#include "carom/write/run_report.hpp"
+#include "interrupt.hpp"
+#include "model.hpp"
+#include "progress.hpp"
+#include "run_to_the_end.hpp"
+#include "view_page.hpp"
+#include "view_steps.hpp"
+#include "view_tables.hpp"
+#include "write/replay_scene.hpp"
+#include "write/summary_object.hpp"
+
+namespace carom::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Of a folder, its scene.toml.
+std::string viewed_scene(const std::string& file) {
+  std::error_code ignored;
+  if (!fs::is_directory(file, ignored)) return file;
+  const fs::path scene = fs::path(file) / "scene.toml";
+  if (!fs::exists(scene, ignored))
+    throw InputError(Problem{"", 0, "there is no scene.toml in the folder \"" + file + '"',
+                             "a page is made from the scene of a run", "Name the scene file itself"});
+  return scene.string();
+}
+
+/// break_shot.html for break_shot.toml and for break_shot/scene.toml.
+std::string page_of(const std::string& scene) {
+  const fs::path path = fs::absolute(scene).lexically_normal();
+  std::string name = path.stem().string();
+  if (name == "scene" && path.parent_path().has_filename()) name = path.parent_path().filename().string();
+  return name + ".html";
+}
+
+std::string text_of(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+std::string set_text(const SceneArguments& arguments) {
+  std::string text;
+  for (const std::string& set : arguments.set) text += "# --set " + set + '\n';
+  if (!arguments.until.empty()) text += "# --until " + arguments.until + '\n';
+  if (!arguments.events.empty()) text += "# --events " + arguments.events + '\n';
+  return text.empty() ? text : "# Run with\n" + text + '\n';
+}
+
+Json scene_of_page(const Scene& scene, const Simulation& simulation, const ReplayLog& log, const SceneArguments& arguments) {
+  Json j = replay_scene(scene, simulation);
+  j["energy"] = log.initial_energy();
+  j["version"] = CAROM_VERSION;
+  j["text"] = set_text(arguments) + text_of(arguments.file);
+  j["model"] = collision_rules(scene);
+  for (const std::string& sentence : not_modelled(scene)) j["model"].push_back("Not modelled: " + sentence);
+  return j;
+}
+
+/// A run on its way to a page.
+class Viewing {
+ public:
+  Viewing(const ViewOptions& options, const SceneArguments& arguments, const Scene& scene, std::optional<PlannedRow> steps,
+          const std::string& path)
+      : options_(options),
+        scene_(scene),
+        steps_(std::move(steps)),
+        simulation_(scene),
+        observers_(scene, simulation_),
+        page_(path, *page_parts(), scene.dimension),
+        log_(scene, simulation_, [this](const std::string& chunk) { page_.chunk(chunk); }) {
+    if (steps_) course_.emplace(scene, simulation_);
+    page_.json("scene", scene_of_page(scene, simulation_, log_, arguments));
+    page_.bytes("start", replay_start(scene, simulation_));
+  }
+
+  void run(std::ostream* screen) {
+    Progress progress(screen, scene_.run);
+    Watchers watchers;
+    watchers.interrupt = &interrupt_.flag();
+    watchers.slice = [&] { progress.show(simulation_); };
+    watchers.collision = [this](const Collision& c) { add(c); };
+    run_to_the_end(simulation_, scene_.run, watchers);
+    log_.flush();
+    report_.seconds = progress.seconds();
+    observers_.end(simulation_);
+    report_.observed = observers_.estimates();
+    report_.summary = simulation_.summary();
+    if (steps_ && !interrupted()) {
+      const ViewSteps film = make_view_steps(scene_, *steps_, *course_, simulation_.time(), event_of_, interrupt_.flag());
+      page_.json("steps-head", film.head);
+      page_.bytes("steps", film.places);
+    }
+  }
+
+  void finish(Json tables) {
+    if (const auto speeds = observers_.speed_table()) tables.push_back(table_of(*speeds));
+    page_.json("result", {{"summary", summary_object(report_)}, {"cut", cut_ ? Json(options_.most) : Json(nullptr)}, {"tables", tables}});
+    page_.finish();
+  }
+
+  [[nodiscard]] bool cut() const noexcept { return cut_; }
+  [[nodiscard]] const Summary& summary() const noexcept { return report_.summary; }
+  [[nodiscard]] int signal() const { return interrupt_.signal(); }
+  [[nodiscard]] std::int64_t events() const noexcept { return log_.events(); }
+
+ private:
+  [[nodiscard]] bool interrupted() const { return interrupt_.flag().load(); }
+
+  void add(const Collision& c) {
+    observers_.collision(c);
+    log_.add(c);
+    if (course_) {
+      course_->add(c);
+      event_of_.push_back(log_.events() - 1);
+    }
+    cut_ = simulation_.counts().collisions() >= options_.most && simulation_.counts().collisions() < wanted();
+    if (cut_ || page_.failed()) interrupt_.flag() = true;
+  }
+  [[nodiscard]] std::int64_t wanted() const { return scene_.run.events.value_or(std::numeric_limits<std::int64_t>::max()); }
+
+  const ViewOptions& options_;
+  const Scene& scene_;
+  std::optional<PlannedRow> steps_;
+  Simulation simulation_;
+  Observers observers_;
+  ViewPage page_;
+  ReplayLog log_;
+  std::optional<Course> course_;
+  std::vector<std::int64_t> event_of_;  // number in the log of each meeting of the course
+  Interrupt interrupt_;
+  RunReport report_;
+  bool cut_ = false;
+};
+
+std::string size_text(const std::string& path) {
+  std::error_code ignored;
+  const double bytes = static_cast<double>(fs::file_size(path, ignored));
+  return bytes < 1e6 ? fmt::format("{:.0f} kB", bytes / 1e3) : fmt::format("{:.1f} MB", bytes / 1e6);
+}
+
+ExitStatus conclude(const Viewing& viewing, const ViewOptions& options, const Console& console) {
+  if (viewing.cut())
+    console.err << fmt::format("carom: the page holds the first {} collisions, to time {}. More with --most.\n", options.most,
+                               viewing.summary().time.value);
+  if (viewing.summary().stopped) {
+    console.err << fmt::format("carom: the run stopped at time {}: {}. The page shows it up to there.\n",
+                               viewing.summary().stopped->time.value, viewing.summary().stopped->reason);
+    return ExitStatus::stopped;
+  }
+  return viewing.signal() != 0 ? ended_by(viewing.signal()) : ExitStatus::done;
+}
+
+}  // namespace
+
+CLI::App* add_view_command(CLI::App& program, ViewOptions& options) {
+  CLI::App* command = program.add_subcommand("view", "Writes one HTML page that replays the run of a scene exactly");
+  add_scene_arguments(*command, options.scene);
+  command->get_option("SCENE")->description("Scene file (TOML), or a folder with a scene.toml; its tables (*.csv) are shown too");
+  command->add_option("--until", options.scene.until, "Ends at this time, events at it included")->type_name("T");
+  command->add_option("--events", options.scene.events, "Ends after so many collisions")->type_name("N");
+  command->add_option("--out", options.out, "The page. DEFAULT: NAME.html here")->type_name("FILE");
+  command
+      ->add_option("--compare", options.compare,
+                   "Beside it a run by time steps: DT, or DT,METHOD as for carom compare. DEFAULT METHOD: discrete")
+      ->type_name("DT[,METHOD]");
+  command->add_option("--most", options.most, "Collisions that the page holds at most")
+      ->type_name("N")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->footer(
+      "The page needs no network and no other file: open it in a browser, or mail it. Some 170 bytes a collision in 2-D.\n\n"
+      "Example:\n  carom view scene.toml --out page.html\n  carom view scene.toml --compare 0.01,discrete\n\n"
+      "Exit status: 3 if the run stopped before its end; the page shows it up to there.");
+  return command;
+}
+
+ExitStatus view(const ViewOptions& options, const Console& console) {
+  if (page_parts() == nullptr)
+    throw InputError(Problem{"", 0, "carom view is not part of this carom", "node and npm were not there when it was built",
+                             "Install the Debian packages nodejs and npm, and build carom again"});
+  SceneArguments arguments = options.scene;
+  arguments.file = viewed_scene(options.scene.file);
+  const Scene scene = read_scene(arguments);
+  std::optional<PlannedRow> steps;
+  if (!options.compare.empty()) steps = plan_view_steps(options.compare, scene);
+  Json tables = arguments.file == options.scene.file ? Json::array() : tables_in(options.scene.file);
+  const std::string path = options.out.empty() ? page_of(arguments.file) : options.out;
+  std::error_code ignored;
+  if (fs::equivalent(path, arguments.file, ignored))
+    throw InputError(Problem{scene.file, 0, "--out is the scene file itself", "it would be overwritten", "Choose another name"});
+
+  Viewing viewing(options, arguments, scene, std::move(steps), path);
+  viewing.run(console.err_is_terminal ? &console.err : nullptr);
+  viewing.finish(std::move(tables));
+  console.out << fmt::format("Wrote {} ({}, {} events). Open it in a browser.\n", path, size_text(path), viewing.events());
+  return conclude(viewing, options, console);
+}
+
+}  // namespace carom::app

@@ -1,0 +1,4 @@
+import {App} from './app.js';
+import {SolidStage} from './solid_stage.js';
+
+new App(SolidStage);
