@@ -64,9 +64,9 @@ void ReplayLog::begin_event(double time, std::int64_t epoch, double offset) {
   } else if (columns_.kind.size() >= events_in_chunk) {
     flush();
   }
-  // |low| <= ulp(time) / 2: epoch * epoch_length is exact as long as epochs stay below 2^53.
-  const DoubleDouble exact = two_prod(static_cast<double>(epoch), epoch_length_) + offset;
-  const double low = (exact - time).hi;
+  const auto whole = static_cast<double>(epoch);  // may be rounded; below 2^62, so its own integer is one
+  const DoubleDouble epochs{whole, static_cast<double>(epoch - static_cast<std::int64_t>(whole))};
+  const double low = (epochs * epoch_length_ + offset - time).hi;  // at most half an ulp of time
   columns_.time.push_back(time);
   columns_.time_low.push_back(static_cast<float>(low));
   columns_.changes_end.push_back(static_cast<std::uint32_t>(columns_.change_ball.size()));
