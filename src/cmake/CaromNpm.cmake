@@ -1,0 +1,28 @@
+# carom_npm_modules(VARIABLE FOLDER MODULES): fetches what FOLDER/package-lock.json names into MODULES/node_modules, when
+# configuring. VARIABLE becomes MODULES, or empty without node, npm or the registry.
+find_program(CAROM_NODE node)
+find_program(CAROM_NPM npm)
+
+function(carom_npm_modules variable folder modules)
+  set(${variable} "" PARENT_SCOPE)
+  if(NOT CAROM_NODE OR NOT CAROM_NPM)
+    return()
+  endif()
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${folder}/package.json ${folder}/package-lock.json)
+  file(SHA256 ${folder}/package-lock.json lock)
+  set(fetched "")
+  if(EXISTS ${modules}/fetched)
+    file(READ ${modules}/fetched fetched)
+  endif()
+  if(NOT fetched STREQUAL lock)
+    file(COPY ${folder}/package.json ${folder}/package-lock.json DESTINATION ${modules})
+    execute_process(COMMAND ${CAROM_NPM} ci --no-audit --no-fund --ignore-scripts WORKING_DIRECTORY ${modules}
+      RESULT_VARIABLE status OUTPUT_VARIABLE says ERROR_VARIABLE says)
+    if(NOT status EQUAL 0)
+      message(STATUS "npm could not fetch the modules of ${folder}:\n${says}")
+      return()
+    endif()
+    file(WRITE ${modules}/fetched ${lock})
+  endif()
+  set(${variable} ${modules} PARENT_SCOPE)
+endfunction()
