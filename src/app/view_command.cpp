@@ -20,6 +20,7 @@
 #include "progress.hpp"
 #include "run_to_the_end.hpp"
 #include "view_page.hpp"
+#include "view_picture.hpp"
 #include "view_steps.hpp"
 #include "view_tables.hpp"
 #include "write/replay_scene.hpp"
@@ -86,10 +87,12 @@ class Viewing {
         simulation_(scene),
         observers_(scene, simulation_),
         page_(path, *page_parts(), scene.dimension),
-        log_(scene, simulation_, [this](const std::string& chunk) { page_.chunk(chunk); }) {
+        log_(scene, simulation_, [this](std::string chunk) { take(std::move(chunk)); }) {
     if (steps_) course_.emplace(scene, simulation_);
-    page_.json("scene", scene_of_page(scene, simulation_, log_, arguments));
-    page_.bytes("start", replay_start(scene, simulation_));
+    head_ = scene_of_page(scene, simulation_, log_, arguments);
+    start_ = replay_start(scene, simulation_);
+    page_.json("scene", head_);
+    page_.bytes("start", start_);
   }
 
   void run(std::ostream* screen) {
@@ -117,6 +120,8 @@ class Viewing {
     page_.finish();
   }
 
+  [[nodiscard]] std::string picture() const { return picture_of(head_, start_, first_chunk_, report_.summary.time); }
+
   [[nodiscard]] bool cut() const noexcept { return cut_; }
   [[nodiscard]] const Summary& summary() const noexcept { return report_.summary; }
   [[nodiscard]] int signal() const { return interrupt_.signal(); }
@@ -124,6 +129,11 @@ class Viewing {
 
  private:
   [[nodiscard]] bool interrupted() const { return interrupt_.flag().load(); }
+
+  void take(std::string chunk) {
+    page_.chunk(chunk);
+    if (first_chunk_.empty()) first_chunk_ = std::move(chunk);
+  }
 
   void add(const Collision& c) {
     observers_.collision(c);
@@ -146,10 +156,18 @@ class Viewing {
   ReplayLog log_;
   std::optional<Course> course_;
   std::vector<std::int64_t> event_of_;  // number in the log of each meeting of the course
+  Json head_;
+  std::string start_, first_chunk_;
   Interrupt interrupt_;
   RunReport report_;
   bool cut_ = false;
 };
+
+void write_picture(const std::string& path, const std::string& text) {
+  OutputFile file(path);
+  file.line() += text;
+  file.close();
+}
 
 std::string size_text(const std::string& path) {
   std::error_code ignored;
@@ -182,6 +200,7 @@ CLI::App* add_view_command(CLI::App& program, ViewOptions& options) {
       ->add_option("--compare", options.compare,
                    "Beside it a run by time steps: DT, or DT,METHOD as for carom compare. DEFAULT METHOD: discrete")
       ->type_name("DT[,METHOD]");
+  command->add_option("--picture", options.picture, "Writes a still picture too")->type_name("FILE.svg");
   command->add_option("--most", options.most, "Collisions that the page holds at most")
       ->type_name("N")
       ->check(CLI::PositiveNumber)
@@ -211,6 +230,7 @@ ExitStatus view(const ViewOptions& options, const Console& console) {
   Viewing viewing(options, arguments, scene, std::move(steps), path);
   viewing.run(console.err_is_terminal ? &console.err : nullptr);
   viewing.finish(std::move(tables));
+  if (!options.picture.empty()) write_picture(options.picture, viewing.picture());
   console.out << fmt::format("Wrote {} ({}, {} events). Open it in a browser.\n", path, size_text(path), viewing.events());
   return conclude(viewing, options, console);
 }

@@ -6,6 +6,10 @@ build_packages=(g++ cmake ninja-build
 test_packages=(libgtest-dev libgmock-dev librapidcheck-dev
   libbox2d-dev libchipmunk-dev libbullet-dev)  # `carom compare` sets these beside carom
 
+# The page of `carom view` is bundled by node and npm and tested in chromium: from Debian unless they are there already.
+if ! command -v node > /dev/null || ! command -v npm > /dev/null; then build_packages+=(nodejs npm); fi
+if ! command -v chromium > /dev/null; then test_packages+=(chromium); fi
+
 # need_packages PACKAGE...: installs what is missing. Fails, naming it, where that is not allowed.
 need_packages() {
   if ! command -v apt-get > /dev/null || ! command -v dpkg-query > /dev/null; then

@@ -52,7 +52,7 @@ export class Plots {
     const at = [t0, ...times, this.end];
     this.show('energy', 'Energy', 'kinetic and potential, and what impacts dissipated',
       [at, [e0, ...values, values.at(-1)], resample(at, [t0, ...gone.times], [0, ...gone.values])],
-      [{label: 'energy', stroke: 'ball1', step: true}, {label: 'dissipated', stroke: 'impulse', step: true}], {note: ''});
+      [{label: 'energy', stroke: 'ball2', step: true}, {label: 'dissipated', stroke: 'impulse', step: true}], {note: ''});
   }
 
   rates(end) {
