@@ -17,6 +17,7 @@
 #include "peak_memory.hpp"
 #include "progress.hpp"
 #include "run_outputs.hpp"
+#include "run_record.hpp"
 #include "run_to_the_end.hpp"
 
 namespace carom::app {
@@ -131,6 +132,7 @@ ExitStatus run(const RunOptions& options, const Console& console) {
   unwritten += (unwritten.empty() || unsaved.empty() ? "" : "\n") + unsaved;
   report.peak_memory_mb = peak_memory_mb();
   print(options, report, simulation, console);
+  if (!options.out.empty() && outputs.any()) write_run_record(options.out, record_of(options.scene));
 
   if (!unwritten.empty()) throw OutputError(unwritten);
   if (report.summary.stopped) {

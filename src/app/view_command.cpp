@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
+#include <limits>
 #include <optional>
-#include <sstream>
 #include <system_error>
 
 #include <fmt/core.h>
@@ -18,6 +17,7 @@
 #include "interrupt.hpp"
 #include "model.hpp"
 #include "progress.hpp"
+#include "run_record.hpp"
 #include "run_to_the_end.hpp"
 #include "view_page.hpp"
 #include "view_picture.hpp"
@@ -32,15 +32,31 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Of a folder, its scene.toml.
-std::string viewed_scene(const std::string& file) {
+struct Viewed {
+  Scene scene;
+  RunRecord record;
+  std::string folder;  ///< that was named; empty: it was a file
+};
+
+/// A scene file; or a folder, with the record of a run or a scene.toml.
+Viewed viewed(SceneArguments arguments) {
   std::error_code ignored;
-  if (!fs::is_directory(file, ignored)) return file;
-  const fs::path scene = fs::path(file) / "scene.toml";
-  if (!fs::exists(scene, ignored))
-    throw InputError(Problem{"", 0, "there is no scene.toml in the folder \"" + file + '"',
-                             "a page is made from the scene of a run", "Name the scene file itself"});
-  return scene.string();
+  Viewed v;
+  if (fs::is_directory(arguments.file, ignored)) {
+    v.folder = arguments.file;
+    if (auto record = read_run_record(v.folder)) {
+      const RunRecord over = record_of({"", arguments.set, arguments.until, arguments.events});
+      record->set.insert(record->set.end(), over.set.begin(), over.set.end());
+      return {read_scene(*record), *record, v.folder};
+    }
+    arguments.file = (fs::path(v.folder) / "scene.toml").string();
+    if (!fs::exists(arguments.file, ignored))
+      throw InputError(Problem{"", 0, "there is neither a run.json nor a scene.toml in the folder \"" + v.folder + '"',
+                               "a page is made from the scene of a run", "Name the scene file itself"});
+  }
+  v.scene = read_scene(arguments);
+  v.record = record_of(arguments);
+  return v;
 }
 
 /// break_shot.html for break_shot.toml and for break_shot/scene.toml.
@@ -51,26 +67,17 @@ std::string page_of(const std::string& scene) {
   return name + ".html";
 }
 
-std::string text_of(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
-std::string set_text(const SceneArguments& arguments) {
+std::string text_with_settings(const RunRecord& record) {
   std::string text;
-  for (const std::string& set : arguments.set) text += "# --set " + set + '\n';
-  if (!arguments.until.empty()) text += "# --until " + arguments.until + '\n';
-  if (!arguments.events.empty()) text += "# --events " + arguments.events + '\n';
-  return text.empty() ? text : "# Run with\n" + text + '\n';
+  for (const std::string& set : record.set) text += "# --set " + set + '\n';
+  return text + (text.empty() ? "" : "\n") + record.text;
 }
 
-Json scene_of_page(const Scene& scene, const Simulation& simulation, const ReplayLog& log, const SceneArguments& arguments) {
+Json scene_of_page(const Scene& scene, const Simulation& simulation, const ReplayLog& log, const RunRecord& record) {
   Json j = replay_scene(scene, simulation);
   j["energy"] = log.initial_energy();
   j["version"] = CAROM_VERSION;
-  j["text"] = set_text(arguments) + text_of(arguments.file);
+  j["text"] = text_with_settings(record);
   j["model"] = collision_rules(scene);
   for (const std::string& sentence : not_modelled(scene)) j["model"].push_back("Not modelled: " + sentence);
   return j;
@@ -79,18 +86,17 @@ Json scene_of_page(const Scene& scene, const Simulation& simulation, const Repla
 /// A run on its way to a page.
 class Viewing {
  public:
-  Viewing(const ViewOptions& options, const SceneArguments& arguments, const Scene& scene, std::optional<PlannedRow> steps,
-          const std::string& path)
+  Viewing(const ViewOptions& options, const Viewed& what, std::optional<PlannedRow> steps, const std::string& path)
       : options_(options),
-        scene_(scene),
+        scene_(what.scene),
         steps_(std::move(steps)),
-        simulation_(scene),
-        observers_(scene, simulation_),
-        page_(path, *page_parts(), scene.dimension),
-        log_(scene, simulation_, [this](std::string chunk) { take(std::move(chunk)); }) {
-    if (steps_) course_.emplace(scene, simulation_);
-    head_ = scene_of_page(scene, simulation_, log_, arguments);
-    start_ = replay_start(scene, simulation_);
+        simulation_(scene_),
+        observers_(scene_, simulation_),
+        page_(path, *page_parts(), scene_.dimension),
+        log_(scene_, simulation_, [this](std::string chunk) { take(std::move(chunk)); }) {
+    if (steps_) course_.emplace(scene_, simulation_);
+    head_ = scene_of_page(scene_, simulation_, log_, what.record);
+    start_ = replay_start(scene_, simulation_);
     page_.json("scene", head_);
     page_.bytes("start", start_);
   }
@@ -116,7 +122,9 @@ class Viewing {
 
   void finish(Json tables) {
     if (const auto speeds = observers_.speed_table()) tables.push_back(table_of(*speeds));
-    page_.json("result", {{"summary", summary_object(report_)}, {"cut", cut_ ? Json(options_.most) : Json(nullptr)}, {"tables", tables}});
+    page_.json(
+        "result",
+        {{"summary", summary_object(report_)}, {"cut", cut_ ? Json(options_.most) : Json(nullptr)}, {"tables", tables}});
     page_.finish();
   }
 
@@ -177,8 +185,8 @@ std::string size_text(const std::string& path) {
 
 ExitStatus conclude(const Viewing& viewing, const ViewOptions& options, const Console& console) {
   if (viewing.cut())
-    console.err << fmt::format("carom: the page holds the first {} collisions, to time {}. More with --most.\n", options.most,
-                               viewing.summary().time.value);
+    console.err << fmt::format("carom: the page holds the first {} collisions, to time {}. More with --most.\n",
+                               options.most, viewing.summary().time.value);
   if (viewing.summary().stopped) {
     console.err << fmt::format("carom: the run stopped at time {}: {}. The page shows it up to there.\n",
                                viewing.summary().stopped->time.value, viewing.summary().stopped->reason);
@@ -192,7 +200,8 @@ ExitStatus conclude(const Viewing& viewing, const ViewOptions& options, const Co
 CLI::App* add_view_command(CLI::App& program, ViewOptions& options) {
   CLI::App* command = program.add_subcommand("view", "Writes one HTML page that replays the run of a scene exactly");
   add_scene_arguments(*command, options.scene);
-  command->get_option("SCENE")->description("Scene file (TOML), or a folder with a scene.toml; its tables (*.csv) are shown too");
+  command->get_option("SCENE")->description(
+      "Scene file (TOML); or a folder, of carom run --out or with a scene.toml, whose tables (*.csv) are shown too");
   command->add_option("--until", options.scene.until, "Ends at this time, events at it included")->type_name("T");
   command->add_option("--events", options.scene.events, "Ends after so many collisions")->type_name("N");
   command->add_option("--out", options.out, "The page. DEFAULT: NAME.html here")->type_name("FILE");
@@ -206,7 +215,8 @@ CLI::App* add_view_command(CLI::App& program, ViewOptions& options) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command->footer(
-      "The page needs no network and no other file: open it in a browser, or mail it. Some 170 bytes a collision in 2-D.\n\n"
+      "The page needs no network and no other file: open it in a browser, or mail it. Some 170 bytes a collision in "
+      "2-D.\n\n"
       "Example:\n  carom view scene.toml --out page.html\n  carom view scene.toml --compare 0.01,discrete\n\n"
       "Exit status: 3 if the run stopped before its end; the page shows it up to there.");
   return command;
@@ -216,18 +226,17 @@ ExitStatus view(const ViewOptions& options, const Console& console) {
   if (page_parts() == nullptr)
     throw InputError(Problem{"", 0, "carom view is not part of this carom", "node and npm were not there when it was built",
                              "Install the Debian packages nodejs and npm, and build carom again"});
-  SceneArguments arguments = options.scene;
-  arguments.file = viewed_scene(options.scene.file);
-  const Scene scene = read_scene(arguments);
+  const Viewed what = viewed(options.scene);
   std::optional<PlannedRow> steps;
-  if (!options.compare.empty()) steps = plan_view_steps(options.compare, scene);
-  Json tables = arguments.file == options.scene.file ? Json::array() : tables_in(options.scene.file);
-  const std::string path = options.out.empty() ? page_of(arguments.file) : options.out;
+  if (!options.compare.empty()) steps = plan_view_steps(options.compare, what.scene);
+  Json tables = what.folder.empty() ? Json::array() : tables_in(what.folder);
+  const std::string path = options.out.empty() ? page_of(what.record.file) : options.out;
   std::error_code ignored;
-  if (fs::equivalent(path, arguments.file, ignored))
-    throw InputError(Problem{scene.file, 0, "--out is the scene file itself", "it would be overwritten", "Choose another name"});
+  if (fs::equivalent(path, what.record.file, ignored))
+    throw InputError(
+        Problem{what.record.file, 0, "--out is the scene file itself", "it would be overwritten", "Choose another name"});
 
-  Viewing viewing(options, arguments, scene, std::move(steps), path);
+  Viewing viewing(options, what, std::move(steps), path);
   viewing.run(console.err_is_terminal ? &console.err : nullptr);
   viewing.finish(std::move(tables));
   if (!options.picture.empty()) write_picture(options.picture, viewing.picture());

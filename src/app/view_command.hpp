@@ -13,10 +13,10 @@
 namespace carom::app {
 
 struct ViewOptions {
-  SceneArguments scene;  ///< its file may be a folder: see viewed_scene
-  std::string out;       ///< the page; empty: named after the scene, where the program was started
-  std::string picture;   ///< SVG; empty: none
-  std::string compare;   ///< DT or DT,METHOD; empty: no time steps
+  SceneArguments scene;           ///< its file may be a folder
+  std::string out;                ///< the page; empty: named after the scene, where the program was started
+  std::string picture;            ///< SVG; empty: none
+  std::string compare;            ///< DT or DT,METHOD; empty: no time steps
   std::int64_t most = 1'000'000;  ///< collisions that the page holds
 };
 

@@ -20,7 +20,8 @@ std::vector<std::uint32_t> integers(std::string_view bytes, std::size_t from, st
   return list;
 }
 
-/// How many events are drawn: a lone ball's long path, else a crowd's first ones and never all, for merging leaves one ball.
+/// How many events are drawn: a lone ball's long path, else a crowd's first ones and never all, for merging leaves one
+/// ball.
 std::size_t shown(std::size_t balls, std::size_t events) {
   if (balls <= 3) return std::min<std::size_t>(events, 60);
   return std::min<std::size_t>(events * 6 / 10 + 1, balls <= 40 ? 60 : 400);
@@ -52,7 +53,8 @@ Paths paths_of(const Json& scene, std::string_view start, std::string_view chunk
     return paths;
   }
   const std::vector<std::uint32_t> head = integers(chunk, 0, 8);
-  const std::size_t E = head[2], C = head[3], first = 8 * sizeof(std::uint32_t), f64 = sizeof(double), u32 = sizeof(std::uint32_t);
+  const std::size_t E = head[2], C = head[3], first = 8 * sizeof(std::uint32_t), f64 = sizeof(double),
+                    u32 = sizeof(std::uint32_t);
   const bool told = head[4] != 0;
   const std::vector<double> time = doubles(chunk, first, E), x = doubles(chunk, first + 2 * E * f64, C * D),
                             v = doubles(chunk, first + (2 * E + C * D) * f64, C * D);

@@ -28,8 +28,8 @@ struct Flight {
 /// Every ball's flights from the start, as far as they are drawn.
 struct Paths {
   std::vector<std::vector<Flight>> of;
-  double start = 0;  ///< [time]
-  double now = 0;    ///< [time] the moment of the picture
+  double start = 0;         ///< [time]
+  double now = 0;           ///< [time] the moment of the picture
   Point period{}, lower{};  ///< [length] of a periodic space; period 0 where there is none
 
   [[nodiscard]] const Flight& flight(std::size_t ball) const { return of[ball].back(); }

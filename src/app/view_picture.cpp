@@ -39,7 +39,8 @@ class View {
   /// On the plane of the picture, y upwards, and how near it is.
   [[nodiscard]] Point project(const Point& x) const {
     if (D_ < 3) return {x[0], D_ == 1 ? 0 : x[1], 0};
-    return {0.82 * x[0] + 0.57 * x[1], 0.9 * x[2] + 0.25 * (0.82 * x[1] - 0.57 * x[0]), 0.57 * x[0] - 0.82 * x[1] + 0.4 * x[2]};
+    return {0.82 * x[0] + 0.57 * x[1], 0.9 * x[2] + 0.25 * (0.82 * x[1] - 0.57 * x[0]),
+            0.57 * x[0] - 0.82 * x[1] + 0.4 * x[2]};
   }
   [[nodiscard]] Point place(const Point& x, double t) const {
     const Point p = project(x);
@@ -89,9 +90,11 @@ class Svg {
  public:
   Svg(const Json& scene, const Paths& paths) : view_(scene, paths), paths_(paths) {
     text_ = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\"><style>rect,.floor{{fill:#f9f8f4}}.back{{fill:#eceae3}}"
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} "
+        "{}\"><style>rect,.floor{{fill:#f9f8f4}}.back{{fill:#eceae3}}"
         ".wall{{fill:none;stroke:#3c4650;stroke-width:2;stroke-linejoin:round}}.path{{fill:none;stroke-width:1;opacity:.6}}"
-        ".ball{{stroke:#0005;stroke-width:.5}}@media(prefers-color-scheme:dark){{rect,.floor{{fill:#161b21}}.back{{fill:#0c0f13}}"
+        ".ball{{stroke:#0005;stroke-width:.5}}@media(prefers-color-scheme:dark){{rect,.floor{{fill:#161b21}}.back{{fill:#"
+        "0c0f13}}"
         ".wall{{stroke:#aab4bf}}}}</style><rect class=\"back\" width=\"{}\" height=\"{}\"/>",
         width, height, width, height);
     draw_space(scene["space"]);
@@ -126,7 +129,8 @@ class Svg {
       line({to, margin, 0}, {to, height - margin, 0});
     } else if (view_.dimension() == 2) {
       const Point a = at(l), b = at(u);
-      text_ += fmt::format("<rect class=\"floor\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>", a[0], b[1], b[0] - a[0], a[1] - b[1]);
+      text_ += fmt::format("<rect class=\"floor\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>", a[0],
+                           b[1], b[0] - a[0], a[1] - b[1]);
       text_ += fmt::format("<path class=\"wall\" {}d=\"M{:.1f} {:.1f}H{:.1f}V{:.1f}H{:.1f}Z\"/>",
                            space["kind"] == "periodic" ? "stroke-dasharray=\"4 4\" " : "", a[0], a[1], b[0], b[1], a[0]);
     } else {
@@ -147,8 +151,8 @@ class Svg {
     if (kind == "segment") line(at(w["from"], drift), at(w["to"], drift));
     if (kind == "circle") {
       const Point c = at(w["centre"]);
-      text_ += fmt::format("<circle class=\"wall {}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\"/>", w["side"] == "inside" ? "" : "floor", c[0],
-                           c[1], w["radius"].get<double>() * view_.scale());
+      text_ += fmt::format("<circle class=\"wall {}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\"/>",
+                           w["side"] == "inside" ? "" : "floor", c[0], c[1], w["radius"].get<double>() * view_.scale());
     }
     if (kind == "polygon") {
       text_ += "<path class=\"wall\" d=\"";
@@ -208,7 +212,8 @@ class Svg {
       if (!(paths_.period[k] > 0) || f.v[k] == 0) continue;
       const double from = (f.x[k] - paths_.lower[k]) / paths_.period[k], by = f.v[k] * (until - f.time) / paths_.period[k];
       const double low = std::ceil(std::min(from, from + by)), high = std::max(from, from + by);
-      for (double m = low; m <= high && times.size() < 200; ++m) times.push_back(f.time + (m - from) / by * (until - f.time));
+      for (double m = low; m <= high && times.size() < 200; ++m)
+        times.push_back(f.time + (m - from) / by * (until - f.time));
     }
     std::sort(times.begin(), times.end());
     return times;
@@ -231,8 +236,8 @@ class Svg {
     }
     std::stable_sort(list.begin(), list.end(), [](const Drawn& a, const Drawn& b) { return a.place[2] < b.place[2]; });
     for (const Drawn& d : list)
-      text_ += fmt::format("<circle class=\"ball\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" fill=\"{}\"/>", d.place[0], d.place[1], d.radius,
-                           colour(d.ball, cue));
+      text_ += fmt::format("<circle class=\"ball\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" fill=\"{}\"/>", d.place[0],
+                           d.place[1], d.radius, colour(d.ball, cue));
   }
 
   View view_;

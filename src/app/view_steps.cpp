@@ -16,12 +16,23 @@ namespace carom::app {
 
 namespace {
 
-constexpr std::int64_t most_numbers = 1'000'000;   // of places that a page holds: 8 MB
+constexpr std::int64_t most_numbers = 1'000'000;  // of places that a page holds: 8 MB
 constexpr std::int64_t most_steps = 100'000'000;
 
 bool is_engine(const std::string& word) {
   const auto list = game_engines();
-  return std::any_of(list.begin(), list.end(), [&](const GameEngine& e) { return word.substr(0, word.find(':')) == e.name; });
+  return std::any_of(list.begin(), list.end(),
+                     [&](const GameEngine& e) { return word.substr(0, word.find(':')) == e.name; });
+}
+
+/// How many steps end by `end`. Throws InputError.
+std::int64_t steps_until(double end, const Scene& scene, double dt) {
+  const double wanted = std::floor((end - scene.run.start) / dt * (1 + 1e-12));
+  if (!(wanted >= 1) || wanted > static_cast<double>(most_steps))
+    throw InputError(Problem{"", 0,
+                             fmt::format("--compare {}: {} steps to time {}", number_text(dt), wanted, number_text(end)),
+                             "a page compares 1 to 10^8 steps", "Give another step, or another --until"});
+  return static_cast<std::int64_t>(wanted);
 }
 
 using Pair = std::tuple<EventKind, std::uint32_t, std::uint32_t>;
@@ -91,22 +102,20 @@ PlannedRow plan_view_steps(const std::string& text, const Scene& scene) {
   std::vector<PlannedRow> rows =
       plan_comparison(dt, is_engine(method) ? "" : method, is_engine(method) ? method : "", problems);
   if (problems.empty() && rows.size() != 1)
-    problems.push_back({"", 0, "--compare " + text, "it has the form DT or DT,METHOD", "For instance --compare 0.01,discrete"});
+    problems.push_back(
+        {"", 0, "--compare " + text, "it has the form DT or DT,METHOD", "For instance --compare 0.01,discrete"});
   if (problems.empty()) problems = judge_comparison(scene, rows);
   if (!problems.empty()) throw InputError(std::move(problems));
+  if (scene.run.until) static_cast<void>(steps_until(*scene.run.until, scene, rows.front().dt));
   return std::move(rows.front());
 }
 
 ViewSteps make_view_steps(const Scene& scene, const PlannedRow& row, const Course& course, double end,
                           const std::vector<std::int64_t>& event_of, const std::atomic<bool>& interrupt) {
-  const double start = scene.run.start, dt = row.dt;
-  const double wanted = std::floor((end - start) / dt * (1 + 1e-12));
-  if (!(wanted >= 1) || wanted > static_cast<double>(most_steps))
-    throw InputError(Problem{"", 0, "--compare " + number_text(dt) + fmt::format(": {} steps to time {}", wanted, end),
-                             "a page compares 1 to 10^8 steps", "Give another step, or another --until"});
+  const double dt = row.dt;
   ComparisonSettings settings;
   settings.dt = dt;
-  settings.steps = static_cast<std::int64_t>(wanted);
+  settings.steps = steps_until(end, scene, dt);
   settings.delay = row.delay;
   settings.interrupt = &interrupt;
   const std::unique_ptr<Stepper> stepper = row.make(scene);
@@ -117,18 +126,19 @@ ViewSteps make_view_steps(const Scene& scene, const PlannedRow& row, const Cours
   Filming film(scene, row, settings.steps);
   const auto answers = film.run(until + 2 * dt + row.delay, interrupt);
   const std::string& name = row.engine.empty() ? row.method : row.engine;
-  return {{{"method", name},
-           {"dt", row.dt.value},
-           {"steps", settings.steps},
-           {"steps_a_frame", film.each()},
-           {"frames", film.frames()},
-           {"missed", missed_events(course.meetings(), answers, until, event_of)},
-           {"collisions", judged.collisions},
-           {"tally", {{"missed", judged.tally.missed}, {"spurious", judged.tally.spurious}, {"swapped", judged.tally.swapped}}},
-           {"escaped", judged.escaped},
-           {"energy_error", judged.energy_error},
-           {"parted_at", judged.diverged_at ? Json(*judged.diverged_at) : Json(nullptr)}},
-          film.bytes()};
+  return {
+      {{"method", name},
+       {"dt", row.dt.value},
+       {"steps", settings.steps},
+       {"steps_a_frame", film.each()},
+       {"frames", film.frames()},
+       {"missed", missed_events(course.meetings(), answers, until, event_of)},
+       {"collisions", judged.collisions},
+       {"tally", {{"missed", judged.tally.missed}, {"spurious", judged.tally.spurious}, {"swapped", judged.tally.swapped}}},
+       {"escaped", judged.escaped},
+       {"energy_error", judged.energy_error},
+       {"parted_at", judged.diverged_at ? Json(*judged.diverged_at) : Json(nullptr)}},
+      film.bytes()};
 }
 
 }  // namespace carom::app

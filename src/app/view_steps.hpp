@@ -23,8 +23,8 @@ struct ViewSteps {
 /// the scene cannot be moved that way.
 [[nodiscard]] PlannedRow plan_view_steps(const std::string& text, const Scene& scene);
 
-/// Moves `scene` by steps up to `end`, as many as end there or before. `event_of[m]` is the number in the log of the course's
-/// meeting m. Frames are thinned evenly until they fit.
+/// Moves `scene` by steps up to `end`, as many as end there or before. `event_of[m]` is the number in the log of the
+/// course's meeting m. Frames are thinned evenly until they fit.
 [[nodiscard]] ViewSteps make_view_steps(const Scene& scene, const PlannedRow& row, const Course& course, double end,
                                         const std::vector<std::int64_t>& event_of, const std::atomic<bool>& interrupt);
 

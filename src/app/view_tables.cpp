@@ -57,7 +57,8 @@ Json read_table(const fs::path& file) {
   }
   if (labels.size() < 2 || columns.front().size() < 2) return nullptr;
   Json table{{"name", file.stem().string()}, {"columns", Json::array()}};
-  for (std::size_t k = 0; k < labels.size(); ++k) table["columns"].push_back({{"label", labels[k]}, {"values", columns[k]}});
+  for (std::size_t k = 0; k < labels.size(); ++k)
+    table["columns"].push_back({{"label", labels[k]}, {"values", columns[k]}});
   return table;
 }
 
@@ -72,7 +73,10 @@ Json table_of(const std::vector<SpeedBin>& speeds) {
     maxwell.push_back(bin.maxwell / width);
   }
   return {{"name", "observe.speed_histogram"},
-          {"columns", {{{"label", "speed"}, {"values", speed}}, {{"label", "density"}, {"values", density}}, {{"label", "Maxwell"}, {"values", maxwell}}}}};
+          {"columns",
+           {{{"label", "speed"}, {"values", speed}},
+            {{"label", "density"}, {"values", density}},
+            {{"label", "Maxwell"}, {"values", maxwell}}}}};
 }
 
 Json tables_in(const std::string& folder) {

@@ -163,10 +163,9 @@ void ReplayLog::flush() {
   const Columns& c = columns_;
   if (c.kind.empty()) return;
   std::string bytes;
-  put(bytes, std::vector<std::uint32_t>{magic, static_cast<std::uint32_t>(dimension_),
-                                        static_cast<std::uint32_t>(c.kind.size()),
-                                        static_cast<std::uint32_t>(c.change_ball.size()),
-                                        told_ ? with_acceleration | with_size : 0, 0, 0, 0});
+  put(bytes, std::vector<std::uint32_t>{
+                 magic, static_cast<std::uint32_t>(dimension_), static_cast<std::uint32_t>(c.kind.size()),
+                 static_cast<std::uint32_t>(c.change_ball.size()), told_ ? with_acceleration | with_size : 0, 0, 0, 0});
   for (const auto* column : {&c.time, &c.impulse, &c.position, &c.velocity, &c.acceleration, &c.radius, &c.mass})
     put(bytes, *column);
   for (const auto* column : {&c.time_low, &c.gap, &c.energy, &c.dissipated, &c.balance, &c.normal}) put(bytes, *column);

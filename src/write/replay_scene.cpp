@@ -56,9 +56,7 @@ Json space(const Scene& scene, const Simulation& simulation) {
   return {{"kind", "periodic"}, {"lower", lower}, {"upper", upper}};
 }
 
-const char* word(LawKind law) {
-  return law == LawKind::stick ? "stick" : law == LawKind::merge ? "merge" : "restitution";
-}
+const char* word(LawKind law) { return law == LawKind::stick ? "stick" : law == LawKind::merge ? "merge" : "restitution"; }
 
 }  // namespace
 

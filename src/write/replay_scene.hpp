@@ -9,8 +9,8 @@
 
 namespace carom {
 
-/// title, dimension, space {kind, lower, upper}, acceleration, law, start, until and events (null: not given), walls as in the
-/// scene, wall_labels by number, names {number: name}, balls (how many). `simulation` is at the start.
+/// title, dimension, space {kind, lower, upper}, acceleration, law, start, until and events (null: not given), walls as in
+/// the scene, wall_labels by number, names {number: name}, balls (how many). `simulation` is at the start.
 [[nodiscard]] Json replay_scene(const Scene& scene, const Simulation& simulation);
 
 /// Little-endian f64 for N balls in D dimensions: position[N D] (wrapped), velocity[N D], radius[N], mass[N], fixed[N] (0

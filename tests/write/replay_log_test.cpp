@@ -96,11 +96,12 @@ Replayed replay(const Scene& scene, bool leaps = false) {
     simulation.run([&](const Collision& c) { log.add(c); });
     log.flush();
     for (const std::string& text : texts) r.chunks.emplace_back(text);
-    EXPECT_EQ(log.events(), static_cast<std::int64_t>(simulation.counts().collisions()) + [&] {
-      std::int64_t n = 0;
-      for (const Chunk& c : r.chunks) n += std::count(c.kind.begin(), c.kind.end(), 2);
-      return n;
-    }());
+    EXPECT_EQ(
+        log.events(), static_cast<std::int64_t>(simulation.counts().collisions()) + [&] {
+          std::int64_t n = 0;
+          for (const Chunk& c : r.chunks) n += std::count(c.kind.begin(), c.kind.end(), 2);
+          return n;
+        }());
   }
   for (const Chunk& c : r.chunks) {
     std::uint32_t change = 0;
@@ -142,20 +143,23 @@ TEST(ReplayLog, begins_every_flight_where_the_last_one_ended) {
   const Replayed box = replay(test::head_on(2));
   EXPECT_EQ(box.events, 3u);
   EXPECT_LE(box.worst, few_ulp);
-  const Replayed gas = replay(read("dimension = 3\n[[gas]]\ncount = 64\npacking_fraction = 0.2\nradius = 0.5\n[run]\nevents = 3000\n"));
+  const Replayed gas =
+      replay(read("dimension = 3\n[[gas]]\ncount = 64\npacking_fraction = 0.2\nradius = 0.5\n[run]\nevents = 3000\n"));
   EXPECT_EQ(gas.events, 3000u);
   EXPECT_LE(gas.worst, few_ulp);
   EXPECT_LE(gas.largest_balance, 96 * 100 * 0x1p-52) << "3 N / 2 kT, a hundred ulps";
-  const Replayed falling = replay(read(
-      "[space]\nkind = \"box\"\nlower = [0, 0]\nupper = [10, 10]\n[motion]\nacceleration = [0, -9.81]\n"
-      "[[ball]]\nposition = [3, 5]\nvelocity = [1, 0]\n[[ball]]\nposition = [7, 5]\nvelocity = [-1, 1]\n[run]\nevents = 200\n"));
+  const Replayed falling =
+      replay(read("[space]\nkind = \"box\"\nlower = [0, 0]\nupper = [10, 10]\n[motion]\nacceleration = [0, -9.81]\n"
+                  "[[ball]]\nposition = [3, 5]\nvelocity = [1, 0]\n[[ball]]\nposition = [7, 5]\nvelocity = [-1, "
+                  "1]\n[run]\nevents = 200\n"));
   EXPECT_EQ(falling.events, 200u);
   EXPECT_LE(falling.worst, 2 * few_ulp);
 }
 
 TEST(ReplayLog, splits_chunks_and_loses_nothing) {
-  const Replayed long_run = replay(read(
-      "dimension = 1\n[space]\nkind = \"box\"\nlower = [0]\nupper = [10]\n[[ball]]\nposition = [5]\nvelocity = [1]\n[run]\nevents = 70000\n"));
+  const Replayed long_run =
+      replay(read("dimension = 1\n[space]\nkind = \"box\"\nlower = [0]\nupper = [10]\n[[ball]]\nposition = [5]\nvelocity = "
+                  "[1]\n[run]\nevents = 70000\n"));
   EXPECT_EQ(long_run.chunks.size(), 2u);
   EXPECT_EQ(long_run.events, 70000u);
   EXPECT_LE(long_run.worst, few_ulp);
@@ -163,20 +167,21 @@ TEST(ReplayLog, splits_chunks_and_loses_nothing) {
 
 // At 2^40 the doubles are 2^-12 apart; time + time_low holds the moment to 2^-24 of that.
 TEST(ReplayLog, keeps_late_moments) {
-  const Replayed late = replay(read(
-      "dimension = 1\n[space]\nkind = \"box\"\nlower = [0]\nupper = [1]\n[[ball]]\nposition = [0.5]\nvelocity = [0.7]\nradius = 0.1\n"
-      "[run]\nstart = 1099511627776.0\nevents = 50\n"));
+  const Replayed late =
+      replay(read("dimension = 1\n[space]\nkind = \"box\"\nlower = [0]\nupper = [1]\n[[ball]]\nposition = [0.5]\nvelocity "
+                  "= [0.7]\nradius = 0.1\n"
+                  "[run]\nstart = 1099511627776.0\nevents = 50\n"));
   EXPECT_EQ(late.events, 50u);
   EXPECT_LE(late.worst, 0x1p-36) << "with doubles alone it would be 2^-13";
 }
 
-// A ball that rests on a ramp starts in contact, slides down with a = g sin(30 deg) along it, and leaves its end: none of that is a
-// collision. Length 2 from rest under g/2 = 4.905: t = sqrt(4 / 4.905).
+// A ball that rests on a ramp starts in contact, slides down with a = g sin(30 deg) along it, and leaves its end: none of
+// that is a collision. Length 2 from rest under g/2 = 4.905: t = sqrt(4 / 4.905).
 TEST(ReplayLog, holds_what_is_no_collision) {
-  const Replayed ramp = replay(read(
-      "[motion]\nacceleration = [0, -9.81]\n[collision]\nrestitution = 0\nregularise = \"rest\"\n"
-      "[[wall]]\nkind = \"segment\"\nfrom = [0, 0]\nto = [1.7320508075688772, 1]\n"
-      "[[ball]]\nposition = [1.5, 1.6]\nradius = 0.1\n[run]\nuntil = 3\n"));
+  const Replayed ramp =
+      replay(read("[motion]\nacceleration = [0, -9.81]\n[collision]\nrestitution = 0\nregularise = \"rest\"\n"
+                  "[[wall]]\nkind = \"segment\"\nfrom = [0, 0]\nto = [1.7320508075688772, 1]\n"
+                  "[[ball]]\nposition = [1.5, 1.6]\nradius = 0.1\n[run]\nuntil = 3\n"));
   EXPECT_GE(ramp.others, 1u);
   EXPECT_LE(ramp.worst, 1e-14);
   EXPECT_LE(ramp.largest_balance, 1e-14);
@@ -184,7 +189,8 @@ TEST(ReplayLog, holds_what_is_no_collision) {
 
 TEST(ReplayLog, moves_all_of_a_body_and_lets_merged_balls_go) {
   const std::string two =
-      "[[ball]]\nposition = [-2, 0]\nvelocity = [1, 0]\n[[ball]]\nposition = [0, 0.25]\n[[ball]]\nposition = [3, 0]\nvelocity = [-1, 0]\n"
+      "[[ball]]\nposition = [-2, 0]\nvelocity = [1, 0]\n[[ball]]\nposition = [0, 0.25]\n[[ball]]\nposition = [3, "
+      "0]\nvelocity = [-1, 0]\n"
       "[run]\nuntil = 10\n";
   const Replayed stick = replay(read("[collision]\nlaw = \"stick\"\n" + two));
   EXPECT_EQ(stick.events, 2u);

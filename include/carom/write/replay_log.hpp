@@ -61,9 +61,9 @@ class ReplayLog {
   int dimension_;
   double epoch_length_;
   std::vector<double> acceleration_, period_;
-  bool told_;                                        // of changes; else collisions tell all
-  std::vector<double> mass_, radius_;                // by ball
-  std::vector<DoubleDouble> energy_of_;              // by ball, at its last change
+  bool told_;                            // of changes; else collisions tell all
+  std::vector<double> mass_, radius_;    // by ball
+  std::vector<DoubleDouble> energy_of_;  // by ball, at its last change
   DoubleDouble energy_, initial_, dissipated_, injected_;
   std::int64_t events_ = 0;
   std::int64_t last_epoch_ = 0;
