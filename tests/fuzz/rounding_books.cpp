@@ -36,6 +36,7 @@ RoundingBooks::RoundingBooks(const Scene& scene, const Simulation& simulation)
   for (const BallState& b : simulation.balls()) {
     Ball ball;
     ball.mass = std::isinf(b.mass.value) ? 0.0 : b.mass.value;
+    ball.radius = b.radius;
     ball.time = simulation.time();
     ball.speed = ball.fastest = length_of(array_of(b.velocity));
     ball.group = {b.index};
@@ -60,10 +61,12 @@ double RoundingBooks::way_since(const Ball& ball, double now, double speed_now) 
 void RoundingBooks::write(const Collision& c, const Collision::Party& party, const Collision::Party& kept) {
   const double before = length_of(party.velocity_before), after = length_of(party.velocity_after);
   const std::vector<std::uint32_t> group = balls_[party.number].group;
-  double mass = 0.0;
+  double mass = 0.0, span = 0.0;  // of a body: no farther from `kept` is any of its members
+  if (group.size() > 1)
+    for (const std::uint32_t i : group) span += 2 * balls_[i].radius;
   for (const std::uint32_t i : group) {
     Ball& ball = balls_[i];
-    const double way = way_since(ball, c.time, before);
+    const double way = span + way_since(ball, c.time, before);
     mass += ball.mass;
     const double square = velocity_roundings_ * after * after + (accelerated_ ? before * before : 0.0);
     energy_ += u * ball.mass * (square + of_position(kept.position, way)) +

@@ -31,6 +31,7 @@ class RoundingBooks {
 
  private:
   struct Ball {
+    double radius = 0.0;
     double mass = 0.0;                 ///< 0: infinite, or merged away: not in the sums
     double time = 0.0;                 ///< of its last event
     double speed = 0.0;                ///< after it

@@ -34,7 +34,7 @@ class Wedge {
       meet_box(i);
       for (const WallSpec& w : scene_.walls) meet_wall(i, w);
     }
-    return !normals_.empty() && least_length() <= rounding;
+    return pressed_ || (!normals_.empty() && least_length() <= rounding);
   }
 
  private:
@@ -89,7 +89,10 @@ class Wedge {
         const Point r = x - point_of(w.centre);
         const bool inside = w.side == WallSide::inside;
         const double reach = w.radius + (inside ? -1.0 : 1.0) * balls_[i].radius;
-        if (std::abs(r.norm() - reach) <= rounding && r.norm() > 0) add(i, (inside ? -1.0 : 1.0) * r.normalized());
+        if (std::abs(r.norm() - reach) > rounding || r.norm() == 0) break;
+        add(i, (inside ? -1.0 : 1.0) * r.normalized());
+        const Point v = point_of(balls_[i].velocity);
+        pressed_ = pressed_ || (inside && v.norm() > 0 && std::abs(r.normalized().dot(v)) <= rounding * v.norm());
         break;
       }
       case WallKind::segment:
@@ -170,6 +173,7 @@ class Wedge {
   double time_;
   std::vector<Point> at_;
   std::vector<Point> normals_;
+  bool pressed_ = false;
 };
 
 }  // namespace
