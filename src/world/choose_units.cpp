@@ -90,34 +90,52 @@ void read_balls(const Scene& scene, const Roster& roster, Scales& s) {
   if (s.smallest_length == HUGE_VALL && high > low) s.length(high - low);
 }
 
-/// Complains about a value that is not 0 and lies beyond the range around 2^unit.
-void judge(const Scene& scene, int line, const char* what, double value, int unit, std::vector<Problem>& problems) {
+/// Exponents of two that values of one kind may have.
+struct Range {
+  int low, high;
+};
+
+[[nodiscard]] Range around(int unit) { return {unit - exponent_range, unit + exponent_range}; }
+
+/// Speeds below the fastest. Where a pull sets the clock, or light balls may gain speed, that is in proportion to theirs.
+[[nodiscard]] Range speeds(const Scales& s, const Units& units) {
+  const Wider fastest = std::max(s.fastest, s.largest_speed);
+  const int slow_clock = units.velocity() - (std::ilogb(most_gain) + 13);
+  return {std::max(fastest > 0 ? std::ilogb(fastest) : slow_clock, slow_clock) - speed_range,
+          units.velocity() + exponent_range};
+}
+
+/// Complains about a value that is not 0 and lies beyond the range.
+void judge(const Scene& scene, int line, const char* what, double value, Range range, std::vector<Problem>& problems) {
   if (value == 0 || !std::isfinite(value)) return;
-  if (std::abs(std::ilogb(value) - unit) <= exponent_range) return;
+  const int exponent = std::ilogb(value);
+  if (range.low <= exponent && exponent <= range.high) return;
   problems.push_back({scene.file, line, fmt::format("{} {} is out of range", what, value),
-                      fmt::format("within a scene values may span 2^{} around its unit, here 2^{}", exponent_range, unit),
+                      fmt::format("within this scene such a value lies between 2^{} and 2^{}", range.low, range.high),
                       "Leave out what is too small or too large to matter"});
 }
 
-void judge_all(const Scene& scene, const Units& units, std::vector<Problem>& problems) {
+void judge_all(const Scene& scene, const Scales& scales, const Units& units, std::vector<Problem>& problems) {
+  const Range length = around(units.length), mass = around(units.mass), acceleration = around(units.acceleration()),
+              velocity = speeds(scales, units);
   for (const BallSpec& b : scene.balls) {
-    for (const Number& x : b.position) judge(scene, b.where.line, "coordinate", x, units.length, problems);
-    for (const Number& v : b.velocity) judge(scene, b.where.line, "velocity", v, units.velocity(), problems);
-    judge(scene, b.where.line, "radius", b.radius, units.length, problems);
-    judge(scene, b.where.line, "mass", b.mass, units.mass, problems);
+    for (const Number& x : b.position) judge(scene, b.where.line, "coordinate", x, length, problems);
+    for (const Number& v : b.velocity) judge(scene, b.where.line, "velocity", v, velocity, problems);
+    judge(scene, b.where.line, "radius", b.radius, length, problems);
+    judge(scene, b.where.line, "mass", b.mass, mass, problems);
   }
   for (const Coordinates* c : {&scene.space.lower, &scene.space.upper})
-    for (const Number& x : *c) judge(scene, scene.space.where.line, "coordinate", x, units.length, problems);
+    for (const Number& x : *c) judge(scene, scene.space.where.line, "coordinate", x, length, problems);
   for (const WallSpec& w : scene.walls) {
     for (const Coordinates* c : {&w.from, &w.to, &w.point, &w.centre})
-      for (const Number& x : *c) judge(scene, w.where.line, "coordinate", x, units.length, problems);
+      for (const Number& x : *c) judge(scene, w.where.line, "coordinate", x, length, problems);
     for (const Coordinates& vertex : w.vertices)
-      for (const Number& x : vertex) judge(scene, w.where.line, "coordinate", x, units.length, problems);
-    for (const Number& v : w.velocity) judge(scene, w.where.line, "velocity", v, units.velocity(), problems);
-    if (w.kind == WallKind::circle) judge(scene, w.where.line, "radius", w.radius, units.length, problems);
+      for (const Number& x : vertex) judge(scene, w.where.line, "coordinate", x, length, problems);
+    for (const Number& v : w.velocity) judge(scene, w.where.line, "velocity", v, velocity, problems);
+    if (w.kind == WallKind::circle) judge(scene, w.where.line, "radius", w.radius, length, problems);
   }
   for (const Number& a : scene.motion.acceleration)
-    judge(scene, scene.motion.where.line, "acceleration", a, units.acceleration(), problems);
+    judge(scene, scene.motion.where.line, "acceleration", a, acceleration, problems);
 }
 
 }  // namespace
@@ -139,7 +157,7 @@ Units choose_units(const Scene& scene, const Roster& roster, std::vector<Problem
   units.length = std::ilogb(s.smallest_length);
   units.mass = std::ilogb(s.lightest);
   units.time = speed > 0 ? units.length - (std::ilogb(speed) + 1) - 12 : -12;
-  judge_all(scene, units, problems);
+  judge_all(scene, s, units, problems);
   return units;
 }
 

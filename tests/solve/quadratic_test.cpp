@@ -190,6 +190,26 @@ TEST(MeetTime, does_not_change_with_the_unit) {
   }
 }
 
+TEST(MeetTime, of_speeds_whose_squares_underflow) {
+  // Down to 2^-850 the same digits, and the same decision beside a grazing path.
+  oracle::Random random(17);
+  for (int i = 0; i < 500; ++i) {
+    const V3 r = random.direction<3>() * random.log_uniform(1.0, 10.0);
+    const V3 v = random.direction<3>();
+    const double t = meet_time(r, v, 1.0);
+    for (const double speed : {0x1p-500, 0x1p-600, 0x1p-833}) {
+      const double slow = meet_time<double, 3>(r, v * speed, 1.0);
+      if (t == no) {
+        EXPECT_EQ(slow, no);
+      } else {
+        EXPECT_NEAR(slow * speed / t, 1.0, meet_time_error * 0x1p-53);
+      }
+    }
+  }
+  for (const double b : {1.0, std::nextafter(1.0, 2.0), std::nextafter(1.0, 0.0)})
+    EXPECT_EQ(meet_time(V2(-5, b), V2(0x1p-833, 0), 1.0) == no, b >= 1.0);
+}
+
 TEST(MeetTime, is_symmetric_in_the_pair) {
   oracle::Random random(16);
   for (int i = 0; i < 2000; ++i) {

@@ -6,7 +6,7 @@
 //
 // For double a filter settles nearly every call in plain arithmetic; what it does not settle goes to pair_terms, where
 // signs are exact. So whether two bodies meet is the exact answer for the r, v and sigma given. Inputs are finite;
-// components and sigma that are not 0 lie within 2^-450 .. 2^450.
+// components and sigma that are not 0 lie within 2^-450 .. 2^450, where |r| >= 1 those of v within 2^-850 .. 2^450.
 
 #include "carom/core/vec.hpp"
 #include "carom/solve/gap.hpp"

@@ -6,7 +6,7 @@
 
 namespace carom {
 
-/// Values of one kind of quantity (lengths, speeds, masses) may span 2^400 on either side of the unit; beyond is an
+/// Lengths, masses and accelerations may span 2^400 on either side of their unit, speeds 2^800 in all; beyond is an
 /// InputError.
 inline constexpr int exponent_range = 400;
 
