@@ -103,6 +103,24 @@ TEST(Rest, slides_down_a_slope) {
 }
 
 // A lift that rises with 1/2 carries a ball of weight 2: it does work of 1 a unit of time.
+// An elastic ball that bounces too low to be seen, 10^16 times in a unit of time, rests; and what it does along the floor is
+// rounded once, not with each bounce.
+TEST(Rest, ends_elastic_bounces_that_nobody_could_see) {
+  Scene scene = resting(2, {0.0, -1.0}, 1.0);
+  scene.walls = {plane({0.0, 0.0}, {0.0, 1.0})};
+  scene.balls = {ball({4.9, 0.5}, {1.0, 2e-16})};
+  Simulation simulation(scene);
+  EXPECT_EQ(simulation.advance(Number(100.0), 1000), Stop::no_events_left);
+  EXPECT_EQ(simulation.ball(0).position[0], 104.9);
+  EXPECT_EQ(simulation.ball(0).position[1], 0.5);
+  const Summary s = simulation.summary();
+  EXPECT_EQ(s.events.ball_wall, 1);
+  EXPECT_LE(s.energy.relative_error, 1e-15);
+  // What can be seen goes on for ever.
+  scene.balls[0].velocity[1] = 1e-4;
+  EXPECT_EQ(Simulation(scene).advance(Number(100.0), 1000), Stop::events);
+}
+
 TEST(Rest, on_a_moving_floor_is_carried) {
   Scene scene = resting(2, {0.0, -2.0}, 0.0);
   scene.walls = {plane({0.0, 0.0}, {0.0, 1.0})};

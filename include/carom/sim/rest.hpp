@@ -76,7 +76,7 @@ template <class Real, int D, class Shape>
 /// wall's normal on the ball's side. With w = n.(v - V) and g = -n.a the next flight takes f = 2 w / g and rises by
 /// w^2 / (2 g) [papers/collapse.md, eq. 8]. The ball rests if f is no tick of the clock; if w is lost in the rounding of v
 /// [eq. 6]; or if the rise is lost in the rounding of x and what the flights lose, (1 - e) f, is no tick, so that the clock
-/// can tell no bounce from the next.
+/// can tell no bounce from the next. That is how an elastic ball comes to rest whose bounces nobody could see.
 template <class Real, int D, class Shape>
 [[nodiscard]] bool comes_to_rest(const Shape& shape, const Vec<Real, D>& n, const Vec<Real, D>& x, const Vec<Real, D>& v,
                                  const Vec<Real, D>& a, const Real& radius, const Real& e, const Time<Real>& now) {
@@ -90,7 +90,7 @@ template <class Real, int D, class Shape>
   if (after(now, flight) == now) return true;
   Real size = radius;
   for (int k = 0; k < D; ++k) size = std::max<Real>(size, abs(x[k]));
-  return e < 1 && w * flight <= 4 * unit_roundoff<Real>() * size && after(now, Real((1 - e) * flight / 2)) == now;
+  return w * flight <= 4 * unit_roundoff<Real>() * size && after(now, Real((1 - e) * flight / 2)) == now;
 }
 
 /// Where ball i, at x with velocity v, goes on if v keeps it on the wall that it is held to: on it, to the last bit.
