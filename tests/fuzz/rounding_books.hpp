@@ -51,7 +51,7 @@ class RoundingBooks {
   std::array<double, 3> pull_{}, period_{};
   double pull_size_ = 0.0;
   std::vector<Ball> balls_;
-  std::int64_t others_ = 0;  ///< changes of motion that no record tells of, at the last look
+  std::int64_t others_ = 0;         ///< changes of motion that no record tells of, at the last look
   double momentum_at_start_ = 0.0;  ///< sum of m |v|
   double energy_ = 0.0, momentum_ = 0.0;
 };

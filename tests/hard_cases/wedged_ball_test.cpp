@@ -69,6 +69,21 @@ TEST(WedgedBall, pressed_without_room_is_named) {
     }
 }
 
+// As wide as the gap between a wall and the end of another: no room across, free along the wall.
+TEST(WedgedBall, between_a_wall_and_the_end_of_another) {
+  Scene scene = box({0.0, 0.0}, {8.0, 8.0});
+  scene.walls = {segment({2.5, 4.5}, {7.0, 4.0})};
+  scene.balls = {ball({7.5, 4.0}, {1.0, 0.0})};
+  const Result across = watched_run(scene, {.until = 10.0, .stride = 1'000'000});
+  EXPECT_EQ(across.stop, Stop::collapse);
+  EXPECT_EQ(across.summary.stopped->time, 0.0);
+  EXPECT_EQ(across.summary.stopped->balls, (std::vector<std::uint32_t>{0}));
+  scene.balls[0].velocity = {0.0, -1.0};
+  const Result along = watched_run(scene, {.until = 10.0});
+  EXPECT_EQ(along.stop, Stop::until);
+  EXPECT_EQ(along.log.front().time, 3.5) << "the floor";
+}
+
 // Rods that fill a box exactly, and disks that fill a periodic square: velocities go round for ever at one instant. (Equal
 // masses exchange components, so that they come back; two unequal rods come back as well, since turning both round commutes
 // with their impact. Three unequal ones need not, and are not waited for here.)
