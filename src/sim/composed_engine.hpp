@@ -94,8 +94,8 @@ class ComposedEngine final : public Simulation::Engine {
     const std::int64_t collisions = most.value_or(std::numeric_limits<std::int64_t>::max());
     stop_ = sink ? integrator_->advance(end, collisions, Translate{*this, sink}, interrupt)
                    : integrator_->advance(end, collisions, NoSink{}, interrupt);
-    stop_ = sink || motion_sink ? engine_.advance(end, collisions, Translate{*this, sink}, interrupt)
-                 : engine_.advance(end, collisions, NoSink{}, interrupt);
+    stop_ = sink || motion_sink ? integrator_->advance(end, collisions, Translate{*this, sink}, interrupt)
+                 : integrator_->advance(end, collisions, NoSink{}, interrupt);
     const bool to_the_end = (stop_ == Stop::until || stop_ == Stop::no_events_left) && !end.is_never();
     if (to_the_end) {
       reached_ = end;
@@ -152,16 +152,16 @@ class ComposedEngine final : public Simulation::Engine {
 
   [[nodiscard]] Glimpse glimpse(std::uint32_t i) const override {
     const Scope scope(precision_.digits);
-    const Vec<Real, D> x = position_at(engine_.motion(), world_, i, reached_);
-    const Vec<Real, D> v = velocity_at(engine_.motion(), world_, i, reached_);
-    const auto far = unwrapped(world_, i, x);
+    const Vec<Real, D> x = position_at(motion_, world(), i, reached_);
+    const Vec<Real, D> v = velocity_at(motion_, world(), i, reached_);
+    const auto far = unwrapped(world(), i, x);
     Glimpse g;
     for (int k = 0; k < D; ++k) {
-      g.position[k] = near(narrow(far[k]), world_.units.length);
-      g.velocity[k] = near(v[k], world_.units.velocity());
+      g.position[k] = near(narrow(far[k]), world().units.length);
+      g.velocity[k] = near(v[k], world().units.velocity());
     }
-    g.radius = near(world_.balls[i].radius, world_.units.length);
-    g.mass = near(world_.details[i].mass, world_.units.mass);
+    g.radius = near(world().balls[i].radius, world().units.length);
+    g.mass = near(world().details[i].mass, world().units.mass);
     return g;
   }
 
@@ -364,9 +364,9 @@ class ComposedEngine final : public Simulation::Engine {
   }
 
   [[nodiscard]] MotionChange motion_of(std::uint32_t i) const {
-    const Ball<Real, D>& ball = world_.balls[i];
-    const Units& u = world_.units;
-    const Vec<Real, D> a = engine_.motion().acceleration(M::phase(ball));
+    const Ball<Real, D> ball = world().balls[i];
+    const Units u = world().units;
+    const Vec<Real, D> a = motion_.acceleration(M::phase(ball));
     MotionChange m;
     m.ball = i;
     m.time = nearest_time(ball.time);
@@ -374,12 +374,12 @@ class ComposedEngine final : public Simulation::Engine {
     m.offset = near(ball.time.offset, u.time);
     for (int k = 0; k < D; ++k) {
       m.position[k] = near(ball.position[k], u.length);
-      m.image[k] = world_.details[i].image[k];
+      m.image[k] = world().details[i].image[k];
       m.velocity[k] = near(ball.velocity[k], u.velocity());
       m.acceleration[k] = near(a[k], u.acceleration());
     }
     m.radius = near(ball.radius, u.length);
-    m.mass = near(world_.details[i].mass, u.mass);
+    m.mass = near(world().details[i].mass, u.mass);
     m.alive = ball.alive;
     return m;
   }
@@ -391,9 +391,8 @@ class ComposedEngine final : public Simulation::Engine {
     const CollisionSink& sink;
 
     void operator()(const Record<Real, D>& r) const {
-      const Units& u = engine.world().units;
+      const Units u = engine.world().units;
       if (!sink) return;
-      const Units& u = engine.world_.units;
       Collision c;
       c.time = engine.nearest_time(r.time);
       c.epoch = r.time.epoch;

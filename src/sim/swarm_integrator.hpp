@@ -5,6 +5,8 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <span>
+#include <stdexcept>
 #include <utility>
 
 #include "carom/motion/free_flight.hpp"
@@ -130,7 +132,14 @@ class SwarmIntegrator {
     const std::int64_t goal =
         collisions < std::numeric_limits<std::int64_t>::max() - had ? had + collisions : std::numeric_limits<std::int64_t>::max();
     if constexpr (std::remove_cvref_t<Sink>::wants_records) {
-      run_.sink = [](void* to, const Record<double, D>& record) { (*static_cast<std::remove_reference_t<Sink>*>(to))(record); };
+      run_.sink = [](void* to, const Record<double, D>& record) {
+        auto& wanting = *static_cast<std::remove_reference_t<Sink>*>(to);
+        wanting(record);
+        if constexpr (requires { wanting.moved(std::span<const std::uint32_t>()); }) {
+          const std::uint32_t moved[] = {record.ball.number, record.partner.number};
+          wanting.moved(std::span(moved).first(record.kind == EventKind::ball_ball ? 2 : 1));
+        }
+      };
       run_.sink_data = const_cast<void*>(static_cast<const void*>(&sink));
     } else {
       run_.sink = nullptr;

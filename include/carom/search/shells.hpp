@@ -158,6 +158,22 @@ class Shells {
     return count - 1;
   }
   [[nodiscard]] CAROM_INLINE std::uint32_t* found() { return scratch_.data(); }
+  /// Asks for the lines that `gather` will read, ahead of it.
+  CAROM_INLINE void fetch_cells(std::uint32_t i) const {
+    const std::uint32_t x = home_[i].fine[0] >> 10;
+    for (int dz = D == 3 ? -1 : 0; dz <= (D == 3 ? 1 : 0); ++dz) {
+      std::uint32_t z = 0;
+      if (D == 3 && !neighbour(home_[i].fine[D - 1] >> 10, dz, D - 1, z)) continue;
+      for (int dy = -1; dy <= 1; ++dy) {
+        std::uint32_t y;
+        if (!neighbour(home_[i].fine[1] >> 10, dy, 1, y)) continue;
+        const Cell* const row = &cells_[(D == 3 ? z * cells_along_[1] + y : y) * cells_along_[0]];
+        __builtin_prefetch(row + (x > 0 ? x - 1 : cells_along_[0] - 1));
+        __builtin_prefetch(row + x);
+        __builtin_prefetch(row + (x + 1 < cells_along_[0] ? x + 1 : 0));
+      }
+    }
+  }
   [[nodiscard]] CAROM_INLINE std::uint32_t cell_of(std::uint32_t i) const {
     std::uint32_t cell = home_[i].fine[D - 1] >> 10;
     for (int k = D - 2; k >= 0; --k) cell = cell * cells_along_[k] + (home_[i].fine[k] >> 10);

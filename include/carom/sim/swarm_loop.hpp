@@ -171,7 +171,11 @@ class SwarmLoop {
         __builtin_prefetch(&run.shells.slots[due.partner]);
       }
     }
-    if (run.head + 12 < n) fetch_near(run, run.agenda[run.head + 12].ball);
+    if (run.head + 12 < n) {
+      const std::uint32_t i = run.agenda[run.head + 12].ball;
+      fetch_near(run, i);
+      if (run.shells.slots[i].exit_first()) run.shells.fetch_cells(i);
+    }
     if (run.head + 6 < n) {
       const std::uint32_t j = run.agenda[run.head + 6].partner;
       if (j < run.swarm.size()) fetch_near(run, j);
