@@ -1,7 +1,6 @@
 #include "command_line.hpp"
 
 #include <algorithm>
-#include <array>
 #include <exception>
 #include <sstream>
 
@@ -10,7 +9,11 @@
 
 #include "carom/core/error.hpp"
 #include "carom/write/output_file.hpp"
+#include "command_tree.hpp"
+#include "completion.hpp"
+#include "manual.hpp"
 #include "scene/words.hpp"
+#include "shell_commands.hpp"
 #include "unbuilt_commands.hpp"
 
 namespace carom::app {
@@ -26,10 +29,14 @@ class Parser {
     check_command_ = add_check_command(program_, check_);
     certify_command_ = add_certify_command(program_, certify_);
     compare_command_ = add_compare_command(program_, compare_);
+    convert_command_ = add_convert_command(program_, convert_);
     explain_command_ = add_explain_command(program_, explain_);
     new_command_ = add_new_command(program_, new_);
     bench_command_ = add_bench_command(program_, bench_);
     view_command_ = add_view_command(program_, view_);
+    plot_command_ = add_plot_command(program_, plot_);
+    completion_command_ = add_completion_command(program_, completion_);
+    man_command_ = add_man_command(program_);
   }
 
   Command parse(const std::vector<std::string>& words) {
@@ -44,17 +51,20 @@ class Parser {
     if (check_command_->parsed()) return check_;
     if (certify_command_->parsed()) return certify_;
     if (compare_command_->parsed()) return compare_;
+    if (convert_command_->parsed()) return convert_;
     if (explain_command_->parsed()) return explain_;
     if (new_command_->parsed()) return new_;
     if (bench_command_->parsed()) return bench_;
     if (view_command_->parsed()) return view_;
+    if (plot_command_->parsed()) return plot_;
+    if (completion_command_->parsed()) return Answer{ExitStatus::done, completion_script(command_tree(program_), completion_.shell)};
+    if (man_command_->parsed()) return Answer{ExitStatus::done, manual_page(command_tree(program_))};
     return Answer{ExitStatus::wrong_input, "carom: a command is missing. See carom --help\n"};
   }
 
  private:
-  [[nodiscard]] std::array<const CLI::App*, 8> commands() const {
-  [[nodiscard]] std::array<const CLI::App*, 8> commands() const {
-    return {run_command_, check_command_, compare_command_, explain_command_, new_command_, bench_command_, certify_command_, view_command_};
+  [[nodiscard]] std::vector<const CLI::App*> commands() const {
+    return program_.get_subcommands([](const CLI::App*) { return true; });
   }
 
   [[nodiscard]] bool known(const std::string& word) const {
@@ -63,12 +73,12 @@ class Parser {
   }
 
   [[nodiscard]] Answer refuse(const std::string& word) const {
-    if (is_unbuilt_command(word)) return {ExitStatus::wrong_input, "carom: command " + word + ": not built yet\n"};
+    if (is_unbuilt_command(word)) return {ExitStatus::wrong_input, "carom: command " + word + ": not built yet. What there is: carom --help\n"};
     const auto list = commands();
     std::vector<std::string> names;
     for (const CLI::App* command : list) names.push_back(command->get_name());
     const std::string hint = scene_text::suggestion(word, {names.begin(), names.end()});
-    return {ExitStatus::wrong_input, "carom: there is no command " + scene_text::in_quotes(word) + ". " + hint + "\n"};
+    return {ExitStatus::wrong_input, "carom: there is no command " + scene_text::in_quotes(word) + ". " + hint + " See carom --help\n"};
   }
 
   [[nodiscard]] Answer answer(const CLI::ParseError& error) const {
@@ -87,11 +97,15 @@ class Parser {
   CheckOptions check_;
   CertifyOptions certify_;
   CompareOptions compare_;
+  ConvertOptions convert_;
   ExplainOptions explain_;
   NewOptions new_;
   BenchOptions bench_;
   ViewOptions view_;
-  CLI::App *run_command_, *check_command_, *compare_command_, *explain_command_, *new_command_, *bench_command_, *certify_command_, *view_command_;
+  PlotOptions plot_;
+  CompletionOptions completion_;
+  CLI::App *run_command_, *check_command_, *compare_command_, *convert_command_, *explain_command_, *new_command_, *bench_command_,
+      *certify_command_, *view_command_, *plot_command_, *completion_command_, *man_command_;
 };
 
 ExitStatus carry_out(const Answer& answer, const Console& console) {
@@ -102,15 +116,17 @@ ExitStatus carry_out(const RunOptions& options, const Console& console) { return
 ExitStatus carry_out(const CheckOptions& options, const Console& console) { return check(options, console); }
 ExitStatus carry_out(const CertifyOptions& options, const Console& console) { return certify(options, console); }
 ExitStatus carry_out(const CompareOptions& options, const Console& console) { return compare(options, console); }
+ExitStatus carry_out(const ConvertOptions& options, const Console& console) { return convert(options, console); }
 ExitStatus carry_out(const ExplainOptions& options, const Console& console) { return explain(options, console); }
 ExitStatus carry_out(const NewOptions& options, const Console& console) { return new_scene(options, console); }
 ExitStatus carry_out(const BenchOptions& options, const Console& console) { return bench(options, console); }
 ExitStatus carry_out(const ViewOptions& options, const Console& console) { return view(options, console); }
+ExitStatus carry_out(const PlotOptions& options, const Console& console) { return plot(options, console); }
 
 ExitStatus carry_out_any(const Command& command, const Console& console) {
   const ExitStatus status = std::visit([&](const auto& c) { return carry_out(c, console); }, command);
   console.out.flush();
-  if (!console.out) throw OutputError("cannot write to standard output.");
+  if (!console.out) throw OutputError("cannot write to standard output. Is the disk full, or its reader gone?");
   return status;
 }
 
@@ -129,7 +145,7 @@ ExitStatus perform(const Command& command, const Console& console) {
     console.err << "carom: " << error.what() << '\n';
     return ExitStatus::stopped;
   } catch (const std::exception& error) {
-    console.err << "carom: this is a bug in carom: " << error.what() << '\n';
+    console.err << "carom: this is a bug in carom: " << error.what() << ". Please report it, with the scene and the command.\n";
     return ExitStatus::bug;
   }
 }

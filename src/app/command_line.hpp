@@ -10,9 +10,11 @@
 #include "check_command.hpp"
 #include "compare_command.hpp"
 #include "console.hpp"
+#include "convert_command.hpp"
 #include "exit_status.hpp"
 #include "explain_command.hpp"
 #include "new_command.hpp"
+#include "plot_command.hpp"
 #include "run_command.hpp"
 #include "view_command.hpp"
 
@@ -24,7 +26,8 @@ struct Answer {
   std::string text;
 };
 
-using Command = std::variant<Answer, RunOptions, CheckOptions, CompareOptions, ExplainOptions, NewOptions, BenchOptions, CertifyOptions, ViewOptions>;
+using Command = std::variant<Answer, RunOptions, CheckOptions, CompareOptions, ConvertOptions, ExplainOptions, NewOptions, PlotOptions,
+                             BenchOptions, CertifyOptions, ViewOptions>;
 
 /// `words` are the arguments without the program's name.
 [[nodiscard]] Command parse(const std::vector<std::string>& words);

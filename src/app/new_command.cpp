@@ -37,12 +37,14 @@ const GalleryScene& find(const std::string& name) {
     if (scene.name == name) return scene;
     names.push_back(scene.name);
   }
+  const std::string near = scene_text::suggestion(name, names);
+  const bool is_near = near.starts_with("Did you mean");  // else it lists them all, on one line
   throw InputError(Problem{"", 0, "there is no scene " + scene_text::in_quotes(name) + " in the gallery", "",
-                           scene_text::suggestion(name, names) + " All of them: carom new --list"});
+                           (is_near ? near + " " : "") + "All of them: carom new --list"});
 }
 
 void write_new(const std::string& path, std::string_view text) {
-  const auto fail = [&path] { throw OutputError(fmt::format("cannot write \"{}\": {}.", path, std::strerror(errno))); };
+  const auto fail = [&path] { throw OutputError(fmt::format("cannot write \"{}\": {}. Name another file with --out FILE.", path, std::strerror(errno))); };
   std::FILE* file = std::fopen(path.c_str(), "wbx");
   if (file == nullptr && errno == EEXIST)
     throw InputError(Problem{"", 0, scene_text::in_quotes(path) + " is there already", "carom new overwrites nothing",

@@ -10,6 +10,10 @@
 
 namespace carom::app {
 
+/// `text` behind a bar for the share that is done, and the time left where that is known, cut to fit `columns`. A share of 0
+/// is not known.
+[[nodiscard]] std::string progress_line(const std::string& text, double share, double seconds, int columns);
+
 class Progress {
  public:
   /// Writes to `screen`, once the run has lasted over a second; nullptr: nothing is shown.

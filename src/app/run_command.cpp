@@ -45,11 +45,12 @@ RunReport carry_out(Simulation& simulation, const Scene& scene, Observers& obser
       log->write(collision);
       if (log->failed()) interrupt.flag() = true;
     };
-  if (TrajectoryCsv* trajectory = outputs.trajectory())
-    watchers.frame = [trajectory, &simulation, &interrupt] {
-      trajectory->write_frame(simulation);
-      if (trajectory->failed()) interrupt.flag() = true;
+  if (outputs.wants_frames())
+    watchers.frame = [&outputs, &simulation, &interrupt] {
+      outputs.frame(simulation);
+      if (outputs.failed()) interrupt.flag() = true;
     };
+  watchers.frames_at = scene.output.trajectory_frames;
   run_to_the_end(simulation, scene.run, watchers);
   report.seconds = progress.seconds();
   observers.end(simulation);
@@ -70,7 +71,7 @@ void print(const RunOptions& options, RunReport& report, const Simulation& simul
     console.out << summary_table(report, console.colour);
   }
   console.out.flush();
-  if (!console.out) throw OutputError("cannot write the result to standard output.");
+  if (!console.out) throw OutputError("cannot write the result to standard output. Is the disk full, or its reader gone?");
 }
 
 std::string remedy(const Summary& summary, const Simulation& simulation) {
@@ -118,7 +119,8 @@ ExitStatus run(const RunOptions& options, const Console& console) {
   if (!options.resume.empty()) read_checkpoint(options.resume, simulation);
   Observers observers(scene, simulation);
   Samplers samplers(scene, simulation);
-  RunOutputs outputs(scene, options.out, simulation);
+  const RunRecord record = record_of(options.scene);
+  RunOutputs outputs(scene, options.out, simulation, {record.text, record.set, {}});
   if (!options.out.empty() && !outputs.any() && scene.output.checkpoint.empty() && options.checkpoint.empty() && !options.quiet)
     console.err << "carom: nothing is written to \"" << options.out << "\": the scene has no files under [output].\n";
 
@@ -127,12 +129,13 @@ ExitStatus run(const RunOptions& options, const Console& console) {
   const bool watched = console.err_is_terminal && !options.quiet;
   RunReport report =
       carry_out(simulation, scene, observers, samplers, outputs, checkpoints, interrupt, watched ? &console.err : nullptr);
-  std::string unwritten = outputs.finish(report.summary.stopped_by);
+  std::string unwritten = outputs.finish(report.summary);
   const std::string unsaved = checkpoints.finish(simulation);
   unwritten += (unwritten.empty() || unsaved.empty() ? "" : "\n") + unsaved;
   report.peak_memory_mb = peak_memory_mb();
+  if (unwritten.empty()) report.files = outputs.written();
   print(options, report, simulation, console);
-  if (!options.out.empty() && outputs.any()) write_run_record(options.out, record_of(options.scene));
+  if (!options.out.empty() && outputs.any()) write_run_record(options.out, record);
 
   if (!unwritten.empty()) throw OutputError(unwritten);
   if (report.summary.stopped) {

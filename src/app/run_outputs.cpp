@@ -1,8 +1,8 @@
 #include "run_outputs.hpp"
 
 #include <filesystem>
+#include <map>
 #include <system_error>
-#include <tuple>
 
 #include "carom/core/error.hpp"
 #include "carom/observe/samplers.hpp"
@@ -14,59 +14,100 @@ namespace fs = std::filesystem;
 
 namespace {
 
-fs::path place(const Scene& scene, const std::string& folder, const std::string& file, const char* key) {
-  const fs::path path = folder.empty() ? fs::path(file) : fs::path(folder) / file;
-  std::error_code ignored;
-  if (!scene.file.empty() && fs::equivalent(path, scene.file, ignored))
-    throw InputError(Problem{scene.file, scene.output.where.line, std::string(key) + " is the scene file itself",
-                             "it would be overwritten", "Choose another name, or write elsewhere with --out"});
-  return path;
+/// The places of files, each a different one.
+class Places {
+ public:
+  Places(const Scene& scene, const std::string& folder) : scene_(scene), folder_(folder) {}
+
+  /// Empty for a file without a name. `key` says what is written there.
+  std::string operator()(const std::string& file, const std::string& key) {
+    if (file.empty()) return {};
+    const fs::path path = folder_.empty() ? fs::path(file) : fs::path(folder_) / file;
+    std::error_code ignored;
+    if (!scene_.file.empty() && fs::equivalent(path, scene_.file, ignored))
+      refuse(key + " is the scene file itself", "it would be overwritten", "Choose another name, or write elsewhere with --out");
+    const auto [other, is_new] = keys_.try_emplace(path.lexically_normal().string(), key);
+    if (!is_new) refuse(key + " is \"" + file + "\"", other->second + " is written there", "Choose another name");
+    return path.string();
+  }
+
+ private:
+  [[noreturn]] void refuse(std::string what, std::string why, std::string hint) const {
+    throw InputError(Problem{scene_.file, scene_.output.where.line, std::move(what), std::move(why), std::move(hint)});
+  }
+
+  const Scene& scene_;
+  const std::string& folder_;
+  std::map<std::string, std::string> keys_;
+};
+
+void require_format(const Scene& scene) {
+  try {
+    if (!scene.output.trajectory.empty()) require_built(scene.output.trajectory);
+  } catch (const InputError& error) {
+    Problem p = error.problems().front();
+    p.file = scene.file;
+    p.line = scene.output.where.line;
+    p.what = "output.trajectory = " + p.what;
+    throw InputError(p);
+  }
 }
 
 }  // namespace
 
-RunOutputs::RunOutputs(const Scene& scene, const std::string& folder, const Simulation& simulation) {
+RunOutputs::RunOutputs(const Scene& scene, const std::string& folder, const Simulation& simulation,
+                       const Provenance& provenance) {
   const OutputSpec& output = scene.output;
-  const fs::path events = place(scene, folder, output.events, "output.events");
-  const fs::path trajectory = place(scene, folder, output.trajectory, "output.trajectory");
-  if (!output.events.empty() && events.lexically_normal() == trajectory.lexically_normal())
-    throw InputError(Problem{scene.file, output.where.line, "output.events and output.trajectory are one file", "", ""});
-  std::vector<std::string> tables = observed_tables(scene.observe);
-  if (scene.observe.speed_histogram) tables.emplace_back("speed_histogram");
-  for (std::string& name : tables) {
-    const fs::path path = place(scene, folder, name + ".csv", ("the table of observe." + name).c_str());
-    for (const auto& [file, other, key] : {std::tuple(output.events, events, "output.events"),
-                                           std::tuple(output.trajectory, trajectory, "output.trajectory")})
-      if (!file.empty() && other.lexically_normal() == path.lexically_normal())
-        throw InputError(Problem{scene.file, output.where.line, std::string(key) + " is " + name + ".csv",
-                                 "observe." + name + " writes that file", "Choose another name"});
-  }
+  require_format(scene);
+  Places place(scene, folder);
+  const auto placed = [&](const std::string& file, const std::string& key) {
+    std::string path = place(file, key);
+    if (!path.empty()) written_.push_back(path);
+    return path;
+  };
+  const std::string events = placed(output.events, "output.events");
+  const std::string trajectory = placed(output.trajectory, "output.trajectory");
+  const std::string ledger = placed(output.ledger, "output.ledger");
+  std::vector<std::pair<std::string, std::string>> tables;  // name, path
+  for (const std::string& name : observed_tables(scene.observe))
+    tables.emplace_back(name, placed(name + ".csv", "the table of observe." + name));
+  const std::string speeds =
+      scene.observe.speed_histogram ? placed("speed_histogram.csv", "the table of observe.speed_histogram") : "";
+
   if (!folder.empty()) make_folder(folder);
-  if (!output.events.empty()) events_.emplace(events.string(), simulation, scene.title);
-  if (!output.trajectory.empty()) trajectory_.emplace(trajectory.string(), simulation, scene.title);
-  for (const std::string& name : tables) {
-    const std::string path = place(scene, folder, name + ".csv", name.c_str()).string();
-    if (name == "speed_histogram") {
-      speeds_.emplace(path, simulation, scene.title);
-    } else {
-      tables_.emplace_back(path, simulation, scene.title, name);
-    }
-  }
+  const TrajectoryHead head = head_of(scene, simulation);
+  if (!events.empty()) events_.emplace(events, simulation, scene.title);
+  if (!trajectory.empty()) trajectory_ = begin_trajectory(trajectory, head, provenance);
+  if (!ledger.empty()) ledger_.emplace(ledger, head);
+  for (const auto& [name, path] : tables) tables_.emplace_back(path, simulation, scene.title, name);
+  if (!speeds.empty()) speeds_.emplace(speeds, simulation, scene.title);
 }
 
-std::string RunOutputs::finish(Stop stopped_by) {
+void RunOutputs::frame(const Simulation& simulation) {
+  const bool books = ledger_ || (trajectory_ && trajectory_->books() == Books::kept);
+  const Frame frame = frame_of(simulation, books ? Books::kept : Books::left_out);
+  if (trajectory_) trajectory_->write(frame);
+  if (ledger_) ledger_->write(frame);
+}
+
+bool RunOutputs::failed() const {
+  return (events_ && events_->failed()) || (trajectory_ && trajectory_->failed()) || (ledger_ && ledger_->failed());
+}
+
+std::string RunOutputs::finish(const Summary& summary) {
   std::string problems;
-  const auto end = [&](auto& file) {
+  const auto end = [&](auto& file, const auto& ending) {
     try {
-      file.finish(stopped_by);
+      file.finish(ending);
     } catch (const OutputError& error) {
       problems += (problems.empty() ? "" : "\n") + std::string(error.what());
     }
   };
-  if (events_) end(*events_);
-  if (trajectory_) end(*trajectory_);
-  if (speeds_) end(*speeds_);
-  for (TableCsv& table : tables_) end(table);
+  if (events_) end(*events_, summary.stopped_by);
+  if (trajectory_) end(*trajectory_, Ending{std::string(word(summary.stopped_by)), summary});
+  if (ledger_) end(*ledger_, summary.stopped_by);
+  if (speeds_) end(*speeds_, summary.stopped_by);
+  for (TableCsv& table : tables_) end(table, summary.stopped_by);
   return problems;
 }
 

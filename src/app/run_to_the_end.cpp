@@ -35,7 +35,7 @@ class Runner {
   Stop operator()() {
     frame();
     while (true) {
-      const std::optional<Number> sample = watchers_.frame ? samples_.next() : std::nullopt;
+      const std::optional<Number> sample = watchers_.frame && !every_event() ? samples_.next() : std::nullopt;
       const std::optional<Appointment> look = next_look();
       const bool looks_first = look && look->time && (!sample || look->time->value < sample->value);
       const std::optional<Number> target = looks_first ? look->time : sample;
@@ -43,6 +43,7 @@ class Runner {
       const bool at_target = target && (stop == Stop::until || (stop == Stop::no_events_left && run_.until));
       const bool at_look = look && look->events && simulation_.counts().collisions() >= *look->events;
       if (at_look || (at_target && looks_first)) watchers_.samplers->look(simulation_);
+      if (every_event() && simulation_.counts().collisions() > framed_) frame();
       if (at_target && !looks_first) {
         frame();
         samples_.advance();
@@ -64,13 +65,15 @@ class Runner {
   Stop advance(const std::optional<Number>& to, const std::optional<std::int64_t>& look) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point begin = Clock::now();
-    std::int64_t most = std::min(left(), slice_.collisions());
+    std::int64_t most = std::min(left(), every_event() ? 1 : slice_.collisions());
     if (look) most = std::min(most, std::max<std::int64_t>(*look - simulation_.counts().collisions(), 0));
     const Stop stop = simulation_.advance(to, most, watchers_.collision, watchers_.interrupt);
     if (stop == Stop::events) slice_.learn(std::chrono::duration<double>(Clock::now() - begin).count());
     if (watchers_.slice) watchers_.slice();
     return stop;
   }
+
+  [[nodiscard]] bool every_event() const { return watchers_.frame && watchers_.frames_at == FramesAt::events; }
 
   [[nodiscard]] std::int64_t left() const {
     return run_.events ? *run_.events - simulation_.counts().collisions() : std::numeric_limits<std::int64_t>::max();
@@ -86,6 +89,7 @@ class Runner {
     if (!watchers_.frame) return;
     watchers_.frame();
     last_frame_ = simulation_.time();
+    framed_ = simulation_.counts().collisions();
   }
 
   Simulation& simulation_;
@@ -94,6 +98,7 @@ class Runner {
   SampleTimes samples_;
   Slice slice_;
   double last_frame_ = -std::numeric_limits<double>::infinity();
+  std::int64_t framed_ = 0;  // collisions up to the last frame
 };
 
 }  // namespace

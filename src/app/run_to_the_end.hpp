@@ -12,7 +12,8 @@ namespace carom::app {
 
 struct Watchers {
   CollisionSink collision;                       ///< every collision
-  std::function<void()> frame;                   ///< at the start, at each sample and at the end; none: no samples
+  std::function<void()> frame;                   ///< at the start, at each sample or event, and at the end; none: no frames
+  FramesAt frames_at = FramesAt::samples;
   Samplers* samplers = nullptr;                  ///< looks at the simulation when it wants to
   std::function<void()> slice;                   ///< a few times a second
   const std::atomic<bool>* interrupt = nullptr;  ///< ends the run at the next event

@@ -11,7 +11,7 @@ configure_package_config_file(src/cmake/caromConfig.cmake.in ${CMAKE_CURRENT_BIN
   INSTALL_DESTINATION ${carom_package_dir})
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/caromConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/caromConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/caromConfigVersion.cmake
-  src/cmake/FindMPFR.cmake src/cmake/FindMPFI.cmake DESTINATION ${carom_package_dir})
+  src/cmake/FindHDF5C.cmake src/cmake/FindMPFI.cmake src/cmake/FindMPFR.cmake DESTINATION ${carom_package_dir})
 
 # The program, if it was built.
 if(TARGET carom_program)

@@ -2,9 +2,12 @@
 
 build_packages=(g++ cmake ninja-build
   libboost-dev libeigen3-dev libgsl-dev libfmt-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev
-  libmpfr-dev libgmp-dev libmpfi-dev)
+  libmpfr-dev libgmp-dev libmpfi-dev
+  libhdf5-dev)  # optional: H5MD files
 test_packages=(libgtest-dev libgmock-dev librapidcheck-dev
-  libbox2d-dev libchipmunk-dev libbullet-dev)  # `carom compare` sets these beside carom
+  libbox2d-dev libchipmunk-dev libbullet-dev  # `carom compare` sets these beside carom
+  gnuplot-nox  # draws for `carom plot`
+  python3-h5py python3-ase)  # read what carom has written
 
 # The page of `carom view` is bundled by node and npm and tested in chromium: from Debian unless they are there already.
 if ! command -v node > /dev/null || ! command -v npm > /dev/null; then build_packages+=(nodejs npm); fi

@@ -49,6 +49,9 @@ inline constexpr std::array queue_kinds{Word<QueueKind>{"auto", QueueKind::autom
                                         Word<QueueKind>{"heap", QueueKind::heap},
                                         Word<QueueKind>{"calendar", QueueKind::calendar}};
 
+inline constexpr std::array frame_kinds{Word<FramesAt>{"samples", FramesAt::samples},
+                                        Word<FramesAt>{"events", FramesAt::events}};
+
 /// The word for a choice. A value that is none of the list (a wild cast) gives an empty word.
 template <class E>
 [[nodiscard]] std::string_view word_for(std::span<const Word<E>> words, E value) {

@@ -69,7 +69,7 @@ Scene read_scene_file(const std::string& path, const std::vector<Override>& over
   text << in.rdbuf();
   if (!in || !text) {
     const std::string why = errno != 0 ? std::strerror(errno) : "no text in it";
-    throw InputError(Problem{"", 0, "cannot read the scene file " + scene_text::in_quotes(path), why, ""});
+    throw InputError(Problem{"", 0, "cannot read the scene file " + scene_text::in_quotes(path), why, "Check its name, or write one: carom new --list"});
   }
   return read_scene(text.str(), path, overrides);
 }

@@ -204,9 +204,10 @@ void judge_observe(Judgement& j) {
 void judge_output(Judgement& j) {
   const OutputSpec& o = j.scene.output;
   TableRules rules(j, {"output"}, o.where);
-  if (!o.events.empty() && o.events == o.trajectory) {
+  if (!o.events.empty() && o.events == o.trajectory)
     rules.found("trajectory", " is " + in_quotes(o.trajectory), "output.events has the same name");
-  }
+  if (!o.ledger.empty() && (o.ledger == o.events || o.ledger == o.trajectory))
+    rules.found("ledger", " is " + in_quotes(o.ledger), "another file of [output] has the same name");
   TableRules every(j, {"output", "checkpoint", "every"}, o.where);
   if (o.checkpoint_every_time) {
     every.finite("time", *o.checkpoint_every_time);
@@ -218,11 +219,8 @@ void judge_output(Judgement& j) {
   if (o.trajectory.empty()) return;
   const std::size_t dot = o.trajectory.rfind('.');
   const std::string ending = dot == std::string::npos ? "" : o.trajectory.substr(dot);
-  if (ending == ".csv" || ending == ".h5" || ending == ".xyz") {
-    rules.unbuilt("output.trajectory", ending);
-  } else {
+  if (ending != ".csv" && ending != ".h5" && ending != ".xyz")
     rules.found("trajectory", " is " + in_quotes(o.trajectory), "its ending says the format: .h5, .xyz or .csv");
-  }
 }
 
 void judge_presence(Judgement& j) {

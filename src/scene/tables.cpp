@@ -270,6 +270,8 @@ OutputSpec read_output(TableReader t) {
   o.where = t.where();
   t.text("events", o.events);
   t.text("trajectory", o.trajectory);
+  t.text("ledger", o.ledger);
+  t.word<FramesAt>("trajectory_frames", frame_kinds, o.trajectory_frames);
   if (std::optional<TableReader> checkpoint = t.table("checkpoint")) {
     o.checkpoint = "checkpoint.carom";
     checkpoint->text("file", o.checkpoint);

@@ -14,8 +14,7 @@ struct Unbuilt {
   std::string_view value = {};  // empty: every value
 };
 
-// A line is deleted when its feature is there. The value of output.trajectory is a file's ending,
-// that of wall.velocity the kind of the wall.
+// A line is deleted when its feature is there. The value of wall.velocity is the kind of the wall.
 constexpr std::array unbuilt{
     Unbuilt{"motion.magnetic"},
     Unbuilt{"motion.cloth"},
@@ -34,8 +33,6 @@ constexpr std::array unbuilt{
     Unbuilt{"observe.poincare"},
     Unbuilt{"observe.survival"},
     Unbuilt{"observe.diffusion"},
-    Unbuilt{"output.trajectory", ".h5"},
-    Unbuilt{"output.trajectory", ".xyz"},
     Unbuilt{"ensemble"},
 };
 

@@ -18,11 +18,16 @@ std::string on_one_line(std::string text) {
 }  // namespace
 
 void write_head_comments(OutputFile& file, std::string_view what, const Simulation& simulation, const std::string& title) {
-  const double length = simulation.epoch_length();
+  write_head_comments(file, what, title, simulation.dimension(), simulation.epoch_length());
+}
+
+void write_head_comments(OutputFile& file, std::string_view what, const std::string& title, int dimension, double epoch_length) {
   file.line() += fmt::format("# carom {}\n", what);
   file.line() += fmt::format("# title: {}\n", on_one_line(title));
-  file.line() += fmt::format("# dimension: {}\n", simulation.dimension());
-  file.line() += fmt::format("# epoch_length: {} = {}", hex_text(length), number_text(length));
+  file.line() += fmt::format("# dimension: {}", dimension);
+  file.end_line();
+  if (epoch_length == 0) return;
+  file.line() += fmt::format("# epoch_length: {} = {}", hex_text(epoch_length), number_text(epoch_length));
   file.end_line();
 }
 

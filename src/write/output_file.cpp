@@ -1,10 +1,9 @@
 #include "carom/write/output_file.hpp"
 
 #include <cerrno>
-#include <cstring>
 #include <utility>
 
-#include <fmt/core.h>
+#include "part_file.hpp"
 
 namespace carom {
 
@@ -12,19 +11,13 @@ namespace {
 
 constexpr std::size_t big_write = std::size_t{1} << 18;
 
-std::string message(const std::string& path, int error) {
-  const char* remedy = error == ENOSPC || error == EDQUOT || error == EFBIG
-                           ? "Free some space, or write elsewhere with --out"
-                           : "Make it writable, or write elsewhere with --out";
-  return fmt::format("cannot write \"{}\": {}. {}.", path, error != 0 ? std::strerror(error) : "unknown error", remedy);
-}
-
 }  // namespace
 
-OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
+OutputFile::OutputFile(std::string path) : path_(std::move(path)), part_(std::make_unique<PartFile>(path_)) {
   errno = 0;
-  file_ = std::fopen(path_.c_str(), "wb");
-  if (file_ == nullptr) throw OutputError(message(path_, errno));
+  file_ = std::fopen(part_->path().c_str(), "wb");
+  if (file_ == nullptr) throw OutputError(unwritten(path_, errno));
+  part_->begun();
   std::setvbuf(file_, nullptr, _IONBF, 0);  // the buffer is here
   buffer_.reserve(big_write + 4096);
 }
@@ -53,8 +46,9 @@ void OutputFile::close() {
     flush();
     errno = 0;
     if (std::fclose(std::exchange(file_, nullptr)) != 0 && !failed()) error_ = errno != 0 ? errno : EIO;
+    if (!failed()) error_ = part_->keep();
   }
-  if (failed()) throw OutputError(message(path_, error_));
+  if (failed()) throw OutputError(unwritten(path_, error_, part_->path()));
 }
 
 }  // namespace carom

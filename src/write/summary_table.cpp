@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/core.h>
 
-#include "carom/core/double_double.hpp"
+#include "energy_error.hpp"
 
 namespace carom {
 
@@ -26,34 +25,32 @@ std::string plural(std::int64_t n, const char* one, const char* many) {
   return fmt::format("{} {}", n, n == 1 ? one : many);
 }
 
-/// One unit in the last place of |x|.
-double ulp(double x) {
-  const double size = std::abs(x);
-  return std::nextafter(size, std::numeric_limits<double>::infinity()) - size;
-}
-
-/// final + dissipated - initial - injected, summed in twice the precision and rounded once.
-double energy_error(const EnergyBalance& e) {
-  return static_cast<double>((DoubleDouble(e.final) - DoubleDouble(e.initial)) +
-                             (DoubleDouble(e.dissipated) - DoubleDouble(e.injected)));
-}
+enum class Tone { plain, warning };
 
 class Table {
  public:
   explicit Table(Colour colour) : colour_(colour) {}
 
-  void title(const std::string& text) { text_ += (colour_ == Colour::on ? "\x1b[1m" + text + "\x1b[0m" : text) + "\n\n"; }
-  void row(const char* label, const std::string& value) { text_ += fmt::format("  {:<18}{}\n", label, value); }
+  void title(const std::string& text) { text_ += painted("\x1b[1m", text) + "\n\n"; }
+  void row(const char* label, const std::string& value, Tone tone = Tone::plain) {
+    text_ += painted("\x1b[2m", fmt::format("  {:<18}", label)) +
+             (tone == Tone::warning ? painted("\x1b[31m", value) : value) + '\n';
+  }
   void line(const std::string& text) { text_ += text + "\n"; }
   [[nodiscard]] const std::string& text() const { return text_; }
 
  private:
+  [[nodiscard]] std::string painted(const char* paint, const std::string& text) const {
+    return colour_ == Colour::on ? paint + text + "\x1b[0m" : text;
+  }
+
   Colour colour_;
   std::string text_;
 };
 
 void add_run(Table& table, const Summary& s) {
-  table.row("stopped by", fmt::format("{}, at time {}", word(s.stopped_by), number(s.time)));
+  table.row("stopped by", fmt::format("{}, at time {}", word(s.stopped_by), number(s.time)),
+            s.stopped ? Tone::warning : Tone::plain);
   if (s.stopped) {
     std::string balls;
     for (const std::uint32_t b : s.stopped->balls) balls += (balls.empty() ? "" : ", ") + std::to_string(b);
@@ -69,11 +66,9 @@ void add_energy(Table& table, const EnergyBalance& e) {
   table.row("energy", number(e.initial) + " -> " + number(e.final));
   if (e.dissipated != 0 || e.injected != 0)
     table.row("", fmt::format("{} dissipated, {} injected", number(e.dissipated), number(e.injected)));
-  const double error = energy_error(e);
-  const std::string ulps = e.initial != 0 && std::isfinite(e.initial)
-                               ? fmt::format(", {} ulp of the initial energy", size(error / ulp(e.initial)))
-                               : "";
-  table.row("energy error", fmt::format("{}{}; relative {}", size(error), ulps, size(e.relative_error)));
+  const double ulp = energy_error_ulp(e);
+  const std::string ulps = std::isnan(ulp) ? "" : fmt::format(", {} ulp of the initial energy", size(ulp));
+  table.row("energy error", fmt::format("{}{}; relative {}", size(energy_error(e)), ulps, size(e.relative_error)));
 }
 
 void add_balance(Table& table, const char* label, const VectorBalance& b, const char* what_changes_it) {
@@ -85,7 +80,8 @@ void add_balance(Table& table, const char* label, const VectorBalance& b, const 
 
 void add_exactness(Table& table, const ExactnessSummary& e) {
   table.row("largest gap error", fmt::format("{}, {} of the radii", size(e.max_gap_error), size(e.max_gap_error_relative)));
-  table.row("counted", fmt::format("{} clamped, {} unresolved, {} singular", e.clamped, e.unresolved, e.singular));
+  table.row("counted", fmt::format("{} clamped, {} unresolved, {} singular", e.clamped, e.unresolved, e.singular),
+            e.clamped > 0 || e.unresolved > 0 ? Tone::warning : Tone::plain);
 }
 
 void add_observed(Table& table, const Estimates& observed) {
@@ -100,10 +96,14 @@ void add_observed(Table& table, const Estimates& observed) {
 }
 
 void add_cost(Table& table, const RunReport& r) {
-  table.row("took", fmt::format("{:.3g} s, {:.3g} collisions/s, {:.3g} MB", r.seconds, r.collisions_per_second(),
-                                r.peak_memory_mb));
+  table.row("took", fmt::format("{:.3g} s, {:.3g} collisions/s, {:.3g} MB; all else is in the scene's units", r.seconds,
+                                r.collisions_per_second(), r.peak_memory_mb));
   table.row("run as", fmt::format("{} in {}-D, {}, {} precision", plural(r.summary.balls, "ball", "balls"),
                                   r.summary.dimension, r.summary.composition, r.summary.precision));
+}
+
+void add_files(Table& table, const std::vector<std::string>& files) {
+  for (const std::string& file : files) table.row(&file == &files.front() ? "wrote" : "", file);
 }
 
 void add_final(Table& table, const std::vector<BallState>& balls, int dimension) {
@@ -142,6 +142,7 @@ std::string summary_table(const RunReport& report, Colour colour) {
   add_exactness(table, s.exactness);
   add_observed(table, report.observed);
   add_cost(table, report);
+  add_files(table, report.files);
   if (report.final) add_final(table, *report.final, s.dimension);
   return table.text();
 }

@@ -187,8 +187,8 @@ TEST(CompareCommand, keeps_the_rows_that_are_finished_when_interrupted) {
   test::Program program(folder, {"compare", "a.toml", "--dt", "1e-2,1e-9", "--method", "discrete", "--json", "--out", "o"});
   const auto rows = [&] {
     std::error_code none;
-    const bool there = std::filesystem::exists(folder.file("o/rows.csv"), none);
-    return there ? test::Csv(folder.read("o/rows.csv")).rows.size() : std::size_t{0};
+    const bool there = std::filesystem::exists(folder.file("o/rows.csv.part"), none);
+    return there ? test::Csv(folder.read("o/rows.csv.part")).rows.size() : std::size_t{0};
   };
   for (int k = 0; k < 12000 && rows() == 0; ++k) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   EXPECT_EQ(rows(), 1u) << "no row within a minute";

@@ -9,20 +9,23 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "carom/write/frame_reader.hpp"
+#include "carom/write/trajectory.hpp"
+
 namespace carom {
 namespace {
 
 using test::Folder;
 
 /// Starts an endless run, waits until its log has grown, sends the signal.
-test::Outcome interrupted(const Folder& folder, int signal) {
+test::Outcome interrupted(const Folder& folder, int signal, const std::string& trajectory = "t.csv") {
   folder.write("a.toml", test::head_on(2,
                                        "events = 1_000_000_000_000\nsample_every = 1000\n[output]\nevents = \"e.csv\"\n"
-                                       "trajectory = \"t.csv\"\n"));
+                                       "trajectory = \"" + trajectory + "\"\n"));
   test::Program program(folder, {"run", "a.toml", "--json", "--final", "--until", "1e12"});
   const auto grown = [&] {
     std::error_code error;
-    const auto size = std::filesystem::file_size(folder.file("e.csv"), error);
+    const auto size = std::filesystem::file_size(folder.file("e.csv.part"), error);
     return !error && size > 0;
   };
   for (int k = 0; k < 12000 && !grown(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -54,6 +57,16 @@ TEST_P(InterruptedRun, is_complete_to_its_last_event) {
   ASSERT_FALSE(frames.rows.empty());
   EXPECT_TRUE(frames.whole);
   EXPECT_EQ(std::stod(frames.rows.back().at("time")), j["time"].get<double>());
+}
+
+TEST(InterruptedH5md, leaves_an_h5md_file_that_is_read) {
+  if (!is_built(TrajectoryFormat::h5md)) GTEST_SKIP() << "carom was built without HDF5";
+  const Folder folder;
+  const test::Outcome o = interrupted(folder, SIGINT, "t.h5");
+  EXPECT_EQ(o.status, 130);
+  const Survey s = survey(folder.file("t.h5"));
+  EXPECT_EQ(s.stopped_by, "interrupted");
+  EXPECT_GE(s.frames, 2);
 }
 
 INSTANTIATE_TEST_SUITE_P(Signals, InterruptedRun, testing::Values(SIGINT, SIGTERM),

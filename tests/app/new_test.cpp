@@ -75,6 +75,9 @@ TEST(New, suggests_a_name_for_an_unknown_one) {
   const test::Outcome o = carom(folder, {"new", name + "x"});
   EXPECT_EQ(o.status, 2);
   EXPECT_THAT(o.err, HasSubstr("Did you mean \"" + name + "\"?"));
+  const test::Outcome far = carom(folder, {"new", "qqqqqqqq"});
+  EXPECT_EQ(far.status, 2);
+  EXPECT_EQ(far.err, "carom: there is no scene \"qqqqqqqq\" in the gallery. All of them: carom new --list\n");
   EXPECT_EQ(carom(folder, {"new"}).status, 2);
   EXPECT_EQ(carom(folder, {"new", name, "--out", "none/a.toml"}).status, 3);
 }

@@ -6,6 +6,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "carom/write/trajectory.hpp"
+#include "write/python.hpp"
+
 namespace carom {
 namespace {
 
@@ -26,7 +29,7 @@ TEST(RunOutput, is_written_in_every_dimension) {
     EXPECT_TRUE(events.whole && frames.whole);
     EXPECT_EQ(events.rows.size(), 3U);
     EXPECT_EQ(events.header.size(), 9U + 6U * static_cast<std::size_t>(dimension));
-    EXPECT_EQ(frames.header.size(), 2U + 3U * static_cast<std::size_t>(dimension));
+    EXPECT_EQ(frames.header.size(), 4U + 3U * static_cast<std::size_t>(dimension));
     std::vector<std::string> times;
     for (const auto& row : frames.rows)
       if (row.at("ball") == "0") times.push_back(row.at("time"));
@@ -154,6 +157,47 @@ TEST(RunOutput, of_curves_does_not_overwrite_another_file) {
   const auto o = carom(folder, {"run", "a.toml"});
   EXPECT_EQ(o.status, 2);
   EXPECT_THAT(o.err, HasSubstr("output.events is mean_squared_displacement.csv"));
+
+TEST(RunOutput, that_outgrows_its_disk_never_looks_whole) {
+  const Folder folder;
+  folder.write("a.toml", test::head_on(2, "[output]\nevents = \"e.csv\"\ntrajectory_frames = \"events\"\n"));
+  std::vector<std::string> names{"t.csv", "t.xyz"};
+  if (is_built(TrajectoryFormat::h5md)) names.push_back("t.h5");
+  for (const std::string& name : names) {
+    folder.write(name, "of a former run");
+    const auto [done, said] =
+        test::printed_by("cd '" + folder.path().string() + "' && ulimit -f 300 && '" CAROM_PROGRAM "' run a.toml --quiet " +
+                         "--until 1e9 --set 'output.trajectory=\"" + name + "\"'; echo status $?");
+    EXPECT_TRUE(done);
+    EXPECT_THAT(said, testing::AllOf(HasSubstr(name), HasSubstr("File too large"), HasSubstr("status 3"))) << said;
+    EXPECT_FALSE(std::filesystem::exists(folder.file(name))) << name;
+    EXPECT_TRUE(std::filesystem::exists(folder.file(name + ".part"))) << name;
+  }
+}
+
+TEST(RunOutput, has_a_frame_for_every_collision_if_asked) {
+  const Folder folder;
+  folder.write("a.toml", test::head_on(2, "[output]\nevents = \"e.csv\"\ntrajectory = \"t.csv\"\n"
+                                          "trajectory_frames = \"events\"\nledger = \"l.csv\"\n"));
+  ASSERT_EQ(carom(folder, {"run", "a.toml", "--set", "run.sample_every=0.25"}).status, 0);
+  const Csv frames(folder.read("t.csv")), ledger(folder.read("l.csv"));
+  std::vector<std::string> times, collisions;
+  for (const auto& row : frames.rows)
+    if (row.at("ball") == "0") times.push_back(row.at("time"));
+  EXPECT_THAT(times, ElementsAre("0", "1", "5", "5", "6")) << "both hits of the faces";
+  for (const auto& row : ledger.rows) collisions.push_back(row.at("collisions"));
+  EXPECT_THAT(collisions, ElementsAre("0", "1", "2", "3", "3"));
+  EXPECT_EQ(ledger.rows.back().at("energy"), "1");
+  EXPECT_EQ(ledger.rows.back().at("imbalance"), "0");
+}
+
+TEST(RunOutput, in_a_format_that_is_not_built_is_refused_by_name) {
+  if (is_built(TrajectoryFormat::h5md)) GTEST_SKIP() << "HDF5 is here";
+  const Folder folder;
+  folder.write("a.toml", test::head_on(2, "[output]\ntrajectory = \"t.h5\"\n"));
+  const test::Outcome o = carom(folder, {"run", "a.toml"});
+  EXPECT_EQ(o.status, 2);
+  EXPECT_THAT(o.err, testing::AllOf(HasSubstr("output.trajectory"), HasSubstr("HDF5")));
 }
 
 }  // namespace

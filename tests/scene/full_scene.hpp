@@ -126,6 +126,8 @@ speed_histogram = true
 [output]
 events = "events.csv"
 trajectory = "trajectory.csv"
+trajectory_frames = "events"
+ledger = "ledger.csv"
 )";
 
 inline scene_text::Reading reading(const std::string& text, const std::vector<Override>& overrides = {}) {

@@ -130,6 +130,8 @@ TEST(GoodScenes, run_engine_observe_and_output_arrive) {
   EXPECT_TRUE(s.observe.pressure && s.observe.collision_rate && s.observe.mean_free_path && s.observe.speed_histogram);
   EXPECT_EQ(s.output.events, "events.csv");
   EXPECT_EQ(s.output.trajectory, "trajectory.csv");
+  EXPECT_EQ(s.output.trajectory_frames, FramesAt::events);
+  EXPECT_EQ(s.output.ledger, "ledger.csv");
 }
 
 TEST(GoodScenes, a_read_scene_passes_the_rules_for_code) {

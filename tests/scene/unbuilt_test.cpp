@@ -55,8 +55,6 @@ const std::vector<Asking> asking = {
     {"observe.poincare", "", "[observe]\npoincare = true"},
     {"observe.survival", "", "[observe]\nsurvival = true"},
     {"observe.diffusion", "", "[observe]\ndiffusion = true"},
-    {"output.trajectory", ".h5", "[output]\ntrajectory = \"run.h5\""},
-    {"output.trajectory", ".xyz", "[output]\ntrajectory = \"run.xyz\""},
     {"space.kind", "periodic", "[space]\nlower = [0, 0]\nupper = [9, 9]\nkind = \"periodic\""},
 };
 

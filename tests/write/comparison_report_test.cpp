@@ -88,7 +88,7 @@ TEST(ComparisonCsv, has_a_cell_for_every_column) {
   {
     ComparisonCsv file(folder.file("rows.csv"));
     for (const ComparisonRow& r : report().rows) file.write(r);
-    EXPECT_EQ(test::Csv(folder.read("rows.csv")).rows.size(), 2u) << "readable while it is written";
+    EXPECT_EQ(test::Csv(folder.read("rows.csv.part")).rows.size(), 2u) << "readable while it is written";
     file.finish();
     PositionErrorCsv errors(folder.file("errors.csv"));
     errors.write(report().rows[1], 0.5, 0.125);

@@ -25,14 +25,40 @@ TEST(OutputFile, keeps_every_line_across_writes) {
   EXPECT_EQ(folder.read("a.txt"), expected);
 }
 
-TEST(OutputFile, writes_what_it_has_when_nobody_closes_it) {
+TEST(OutputFile, that_nobody_closes_stays_a_part) {
   const test::Folder folder;
   {
     OutputFile file(folder.file("a.txt"));
     file.line() += "one";
     file.end_line();
   }
+  EXPECT_EQ(folder.read("a.txt.part"), "one\n");
+  EXPECT_THAT(folder.files(), testing::ElementsAre("a.txt.part"));
+}
+
+TEST(OutputFile, has_its_name_once_it_is_whole_and_no_older_one_meanwhile) {
+  const test::Folder folder;
+  folder.write("a.txt", "of a former run");
+  OutputFile file(folder.file("a.txt"));
+  EXPECT_THAT(folder.files(), testing::ElementsAre("a.txt.part"));
+  file.line() += "one";
+  file.end_line();
+  file.close();
+  EXPECT_THAT(folder.files(), testing::ElementsAre("a.txt"));
   EXPECT_EQ(folder.read("a.txt"), "one\n");
+  EXPECT_NO_THROW(file.close());
+}
+
+TEST(OutputFile, follows_a_link) {
+  const test::Folder folder;
+  folder.write("target.txt", "old");
+  std::filesystem::create_symlink("target.txt", folder.file("link.txt"));
+  OutputFile file(folder.file("link.txt"));
+  file.line() += "new";
+  file.end_line();
+  file.close();
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.file("link.txt")));
+  EXPECT_EQ(folder.read("target.txt"), "new\n");
 }
 
 TEST(OutputFile, names_the_file_and_the_reason) {

@@ -54,9 +54,19 @@ TEST(SummaryTable, shows_the_balls_that_it_is_given) {
   EXPECT_THAT(summary_table(r), testing::ContainsRegex("ball +name +x +y +vx +vy\n +7 +cue +0.25 +-3 +1.5 +2.5\n"));
 }
 
+TEST(SummaryTable, names_the_files_that_were_written) {
+  RunReport r = report();
+  EXPECT_THAT(summary_table(r), Not(HasSubstr("wrote")));
+  r.files = {"out/events.csv", "out/trajectory.h5"};
+  EXPECT_THAT(summary_table(r), HasSubstr("  wrote             out/events.csv\n                    out/trajectory.h5\n"));
+}
+
 TEST(SummaryTable, is_plain_unless_colour_is_wanted) {
   EXPECT_THAT(summary_table(report()), Not(HasSubstr("\x1b")));
-  EXPECT_THAT(summary_table(report(), Colour::on), HasSubstr("\x1b["));
+  RunReport warned = report();
+  EXPECT_THAT(summary_table(warned, Colour::on), testing::AllOf(HasSubstr("\x1b[1mA title"), Not(HasSubstr("\x1b[31m"))));
+  warned.summary.exactness.clamped = 1;
+  EXPECT_THAT(summary_table(warned, Colour::on), HasSubstr("\x1b[31m1 clamped"));
 }
 
 }  // namespace

@@ -172,9 +172,14 @@ struct ObserveSpec {
   Where where{};
 };
 
+/// When frames are written, beside the start and the end: each run.sample_every of time, or at every collision.
+enum class FramesAt : std::uint8_t { samples, events };
+
 struct OutputSpec {
   std::string events{};      ///< file for the event log. DEFAULT: none
-  std::string trajectory{};  ///< file for the frames. DEFAULT: none
+  std::string trajectory{};  ///< file for the frames: .h5 (H5MD), .xyz (extended XYZ) or .csv. DEFAULT: none
+  std::string ledger{};      ///< file for the energy and momentum at each frame. DEFAULT: none
+  FramesAt trajectory_frames = FramesAt::samples;  ///< DEFAULT: samples
   std::string checkpoint{};  ///< file for the state, written at the end and on Ctrl-C. DEFAULT: none
   std::optional<Number> checkpoint_every_time{};          ///< [time] and each such span of the scene's time
   std::optional<std::int64_t> checkpoint_every_events{};  ///< and after each so many collisions

@@ -2,6 +2,7 @@
 // A text file written line by line, in big writes, that remembers what went wrong.
 
 #include <cstdio>
+#include <memory>
 #include <stdexcept>
 #include <string>
 
@@ -13,11 +14,15 @@ class OutputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+class PartFile;
+
+/// While it is written it is PATH.part, and an older PATH is gone: a file that has its name is whole. What is no regular file
+/// (/dev/stdout, a pipe) is written to directly.
 class OutputFile {
  public:
-  /// Creates the file or empties it. Throws OutputError.
+  /// Begins the file. Throws OutputError.
   explicit OutputFile(std::string path);
-  /// Writes out the complete lines that are left; errors are lost, so finish with `close`.
+  /// Without `close` the file stays PATH.part, with the complete lines that were left.
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
@@ -32,13 +37,14 @@ class OutputFile {
   /// Whether a write has failed. What comes after is dropped.
   [[nodiscard]] bool failed() const noexcept { return error_ != 0; }
 
-  /// Writes out everything and closes the file. Throws OutputError if any write has failed.
+  /// Writes out everything, closes the file and gives it its name. Throws OutputError if any write has failed.
   void close();
 
   [[nodiscard]] const std::string& path() const noexcept { return path_; }
 
  private:
   std::string path_;
+  std::unique_ptr<const PartFile> part_;
   std::string buffer_;
   std::FILE* file_ = nullptr;
   int error_ = 0;  // errno of the first failure

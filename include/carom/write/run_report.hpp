@@ -2,6 +2,7 @@
 // What a run ends with: the physics, and what it took.
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "carom/observe/estimate.hpp"
@@ -15,6 +16,7 @@ struct RunReport {
   std::optional<std::vector<BallState>> final;  ///< the balls that are left; none: not asked for
   double seconds = 0.0;                         ///< [s] wall time of the run, without the building of the scene
   double peak_memory_mb = 0.0;                  ///< [MiB] of the process
+  std::vector<std::string> files{};             ///< that were written
 
   /// [1/s] 0 if no time has passed.
   [[nodiscard]] double collisions_per_second() const noexcept {

@@ -4,28 +4,26 @@
 #include <cstdint>
 #include <string>
 
-#include "carom/sim/simulation.hpp"
 #include "carom/write/output_file.hpp"
+#include "carom/write/trajectory.hpp"
 
 namespace carom {
 
-/// Columns: time, ball, position (x, y, z), image (ix, ..), velocity (vx, ..); one line a ball and frame. In a periodic
-/// space positions are wrapped and images count the wraps. Comments as in EventsCsv.
-class TrajectoryCsv {
+/// Columns: time, ball, position (x, y, z), image (ix, ..), velocity (vx, ..), radius, mass; one line a ball and frame. In a
+/// periodic space positions are wrapped and images count the wraps. What is not known is left out. Comments as in EventsCsv,
+/// and the space.
+class TrajectoryCsv final : public Trajectory {
  public:
   /// Throws OutputError.
-  TrajectoryCsv(std::string path, const Simulation& simulation, const std::string& title);
+  TrajectoryCsv(std::string path, const TrajectoryHead& head);
 
-  /// The balls that are left, at the time that the simulation has reached.
-  void write_frame(const Simulation& simulation);
-
-  [[nodiscard]] bool failed() const noexcept { return file_.failed(); }
-
-  /// Ends the table. Throws OutputError if anything of it could not be written.
-  void finish(Stop stopped_by);
+  void write(const Frame& frame) override;
+  [[nodiscard]] bool failed() const noexcept override { return file_.failed(); }
+  void finish(const Ending& ending) override;
 
  private:
   OutputFile file_;
+  bool velocities_, radii_;
   std::int64_t frames_ = 0;
 };
 
