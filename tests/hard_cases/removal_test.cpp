@@ -57,6 +57,28 @@ TEST(Removal, is_the_same_in_every_search_and_queue) {
   EXPECT_GT(log.size(), 10u);
 }
 
+// A light ball that a heavy one swallows takes the place of the two: their centre of mass, in another cell of a grid. Whom it
+// overlaps there merges with it at the same instant, whichever search is used.
+TEST(Removal, a_merged_ball_is_looked_for_where_it_is) {
+  Scene scene = open_space(1);
+  scene.space.kind = SpaceKind::periodic;
+  scene.space.lower = {0.0};
+  scene.space.upper = {8.0};
+  scene.collision.law = LawKind::merge;
+  scene.balls = {ball({6.8797242902267906}, {-0.5}, 0.2227083687733284), fixed_ball({6.348725653737887}, 0.30829026771557555),
+                 ball({2.25}, {-0.5}, 0.17), ball({5.7111870600339385}, {-0.5}, 0.14358745052577432),
+                 ball({1.25}, {0.5}, 0.16), ball({7.725640694873691}, {0.6}, 0.5457108530986887)};
+  std::vector<std::vector<Collision>> logs;
+  for (const SearchKind search : {SearchKind::all_pairs, SearchKind::cells}) {
+    scene.engine.search = search;
+    logs.push_back(watched_run(scene, {.until = 20.0, .stride = 1000}).log);
+  }
+  EXPECT_EQ(difference(logs[0], logs[1]), "");
+  ASSERT_GE(logs[0].size(), 2u);
+  EXPECT_EQ(logs[0][1].time, 0.0);
+  EXPECT_EQ(logs[0][1].partner.number, 3u);
+}
+
 // The ball that leaves was about to hit a third one: that meeting is off, and the third meets what came of the two.
 TEST(Removal, calls_off_what_was_predicted) {
   Scene scene = open_space(2);

@@ -52,11 +52,19 @@ class CellGrid {
     }
   }
 
-  /// The state of ball i was written: its path is drawn on from another period, or it has left.
+  /// The state of ball i was written: its path is drawn on from another period, or it has left. A merged ball goes on from
+  /// the common centre of mass, which may lie in another tile.
   template <class M>
   void moved(const WorldType& world, const M&, std::uint32_t i) {
     if (!world.balls[i].alive) {
       unlink(i);
+      return;
+    }
+    if (world.law == LawKind::merge) {
+      unlink(i);
+      for (int k = 0; k < D; ++k) tiles_[i][k] = tile_of(world.balls[i].position[k], k);
+      seen_[i] = world.details[i].image;
+      link(i);
       return;
     }
     for (int k = 0; k < D; ++k) {
