@@ -134,6 +134,47 @@ TEST(Symmetric, every_engine_and_a_resumed_run_agree) {
 }
 
 // A point that lies at rest on a vertex and is hit: the vertex has no direction to act in, and no number is lost to it.
+// A light ball thrown to and fro between two that it touches: in velocities times sqrt(mass) it is reflected in the faces of
+// a wedge of angle alpha, tan^2 alpha = m (m + 2 M) / M^2, some pi / (2 alpha) = 1.1e5 times from the middle, all at one
+// instant. That is more than one event resolves; the next ones go on. One at a time or not, the hits are the same.
+TEST(Symmetric, reflections_are_never_given_up) {
+  const auto run = [](Simultaneous rule) {
+    Scene scene = open_space(1);
+    scene.collision.simultaneous = rule;
+    scene.balls = {ball({0.0}, {0.0}), ball({1.0}, {-1.0}, 0.5, 1e-10), ball({2.0}, {0.0})};
+    return run_until(scene, 1.0);
+  };
+  const Result all = run(Simultaneous::symmetric), singly = run(Simultaneous::sequential);
+  EXPECT_EQ(all.stop, Stop::no_events_left);
+  EXPECT_LT(all.log.size(), 10u);
+  EXPECT_NEAR(static_cast<double>(singly.log.size()), 0.5 * 3.141592653589793 / std::sqrt(2e-10), 5.0);
+  for (const Collision& c : all.log) EXPECT_EQ(c.time, 0.0);
+  const std::vector<double> v = speeds(all.balls), w = speeds(singly.balls);
+  EXPECT_LE(v[0], v[1]);
+  EXPECT_LE(v[1], v[2]);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(v[i], w[i], 1e-11) << "of 1e-5";
+  EXPECT_LE(all.summary.energy.relative_error.value, 1e-14);
+  EXPECT_LE(all.summary.momentum.relative_error.value() * 1e-10, 4 * 0x1p-53 * 1e-5) << "the heavy ones have 1e-5 at the end";
+}
+
+// A fast ball between two fixed ones that it touches on opposite sides, in directions that are opposite but for the rounding
+// of the places: it has no room across, loses what it has there, n (n.v) with n = (3, 4)/5, and goes on along the gap. That
+// what is left closes one of the contacts by a rounding of 10^7 is nothing to go on about.
+TEST(Symmetric, pinned_ball_leaves_along_the_gap) {
+  Scene scene = open_space(2);
+  const double v = -63100176.99256259;
+  scene.balls = {ball({7.210087336090759, 0.6850354604176578}, {v, 0.0}, 0.23738780553217625, 1.03e-09),
+                 ball({7.4627545972299085, 1.0219251419365236}, {}, 0.18372429636640586),
+                 ball({6.974283501635791, 0.3706303478110342}, {}, 0.15561858522610322)};
+  scene.balls[1].fixed = scene.balls[2].fixed = true;
+  const Result r = run_until(symmetric(scene), 1e-6);
+  EXPECT_EQ(r.stop, Stop::no_events_left);
+  EXPECT_EQ(r.log.size(), 2u);
+  EXPECT_NEAR(r.balls[0].velocity[0], 0.64 * v, 1e-14 * std::abs(v));
+  EXPECT_NEAR(r.balls[0].velocity[1], -0.48 * v, 1e-14 * std::abs(v));
+  EXPECT_NEAR(r.summary.energy.dissipated, 0.36 * 0.5 * 1.03e-9 * v * v, 1e-13 * 1.03e-9 * v * v);
+}
+
 TEST(Symmetric, point_at_rest_on_a_vertex) {
   Scene scene = open_space(2);
   WallSpec segment;

@@ -36,10 +36,11 @@ struct ClusterOutcome {
   std::vector<std::size_t> pinned;       ///< contacts that no motion can open: plastic, whatever e says
   std::vector<std::size_t> crushed;      ///< contacts that no finite impulses can end: their bodies keep their velocities
   std::vector<std::size_t> cut_short;    ///< contacts of parts that exceeded the limit of reflections: plastic
+  std::vector<std::size_t> unfinished;   ///< of elastic parts that reached it: their reflections go on from here
 };
 
-/// A part whose reflections have not ended by then is taken to be plastic, and listed in `cut_short`. A light ball between
-/// two that are 10^8 times heavier takes about 10^4.
+/// A part whose reflections have not ended by then is taken to be plastic, and listed in `cut_short`; if it is elastic, it
+/// is left as it is by then, `unfinished`. A light ball between two that are 10^8 times heavier takes about 10^4.
 inline constexpr std::int64_t most_reflections = 100'000;
 
 }  // namespace carom

@@ -57,13 +57,17 @@ class ClusterImpact {
 
   enum class End { done, crushed, cut_short };
 
+  [[nodiscard]] static bool is_among(const Set& set, std::size_t j) {
+    return std::find(set.begin(), set.end(), j) != set.end();
+  }
+
   /// Generalised reflections (7), (8). `met`: contacts that approached at some stage.
   [[nodiscard]] End reflect(const Set& part, Motion& m, Impulses<Real>& given, std::vector<bool>& met, Set& pinned) {
     const auto look_for_pins = static_cast<std::int64_t>(part.size()) + 8;
     for (std::int64_t n = 0; n < most_reflections; ++n) {
       Set violated;
       for (const std::size_t j : part)
-        if (contacts_.approaches(j, m)) {
+        if (is_among(pinned, j) ? contacts_.surely_approaches(j, m) : contacts_.approaches(j, m)) {
           violated.push_back(j);
           met[j] = true;
         }
@@ -84,10 +88,10 @@ class ClusterImpact {
       }
       Set pushed = violated;
       for (const std::size_t j : pinned)
-        if (std::find(violated.begin(), violated.end(), j) == violated.end()) pushed.push_back(j);
+        if (!is_among(violated, j)) pushed.push_back(j);
       std::sort(pushed.begin(), pushed.end());
       for (const Set& set : contacts_.connected(pushed)) {
-        const auto hit = [&](std::size_t j) { return std::find(violated.begin(), violated.end(), j) != violated.end(); };
+        const auto hit = [&](std::size_t j) { return is_among(violated, j); };
         if (std::none_of(set.begin(), set.end(), hit)) continue;
         if (!contacts_.end_approach(set, Real(2), m, given)) return End::crushed;
       }
@@ -175,14 +179,17 @@ class ClusterImpact {
     const bool all_plastic =
         std::all_of(part.begin(), part.end(), [&](std::size_t j) { return cluster_.contacts[j].e == 0; });
     const End end = all_plastic ? End::done : reflect(part, hard, hard_given, met, pinned);
-    Real e(all_plastic || end == End::cut_short ? 0 : 1);  // the smallest of those that met (10)
+    Real e(all_plastic ? 0 : 1);  // the smallest of those that met (10)
     for (const std::size_t j : part)
       if (met[j] && cluster_.contacts[j].e < e) e = cluster_.contacts[j].e;
+    const bool goes_on = e == 1 && pinned.empty();
+    Set* const too_long = end != End::cut_short ? nullptr : goes_on ? &out_.unfinished : &out_.cut_short;
+    if (too_long == &out_.cut_short) e = Real(0);
     if (end == End::crushed || (e != 1 && !plastic(part, soft, soft_given))) {
       out_.crushed.insert(out_.crushed.end(), part.begin(), part.end());
       return;
     }
-    if (end == End::cut_short) out_.cut_short.insert(out_.cut_short.end(), part.begin(), part.end());
+    if (too_long != nullptr) too_long->insert(too_long->end(), part.begin(), part.end());
     out_.pinned.insert(out_.pinned.end(), pinned.begin(), pinned.end());
     blend(part, e, soft, soft_given, hard, hard_given);
   }

@@ -36,7 +36,11 @@ Verdict Collider<M>::collide_together(WorldType& world, const M& motion,
     sides_.keep(world, m.ball, Vector(v - m.velocity));
     note_potential(world, m.ball);
   }
-  for (const auto& c : all.contacts) hold_together(world, c, images, now);
+  for (std::size_t k = 0; k < all.contacts.size(); ++k) {
+    const auto& unfinished = outcome.unfinished;
+    const bool acted = std::find(unfinished.begin(), unfinished.end(), k) == unfinished.end();
+    hold_together(world, all.contacts[k], images, now, acted);
+  }
 
   book(books, Outcome<Real, D>{{}, {}, Real(0), outcome.dissipated, outcome.injected});
   Verdict verdict = Verdict::go_on;
@@ -57,16 +61,16 @@ Verdict Collider<M>::collide_together(WorldType& world, const M& motion,
   return verdict;
 }
 
-/// Parties that were both written now hold their contact, as spent.
+/// Parties that were both written now hold their contact: as spent if it has `acted` to the end.
 template <Motion M>
 void Collider<M>::hold_together(WorldType& world, const typename Together<Real, D>::Contact& c,
-                                const std::vector<Turns<D>>& images, const Time<Real>& now) {
+                                const std::vector<Turns<D>>& images, const Time<Real>& now, bool acted) {
   const std::uint32_t i = c.event.ball, j = c.event.partner;
   if (world.balls[i].time != now) return;
   if (c.event.kind == EventKind::ball_wall) {
-    hold_contact(world, i, Contact<D>{Party::wall, j, c.event.feature, {}, c.event.side, true, world.balls[i].stamp, 0});
+    hold_contact(world, i, Contact<D>{Party::wall, j, c.event.feature, {}, c.event.side, acted, world.balls[i].stamp, 0});
   } else if (world.balls[j].time == now) {
-    hold_pair(world, i, j, c.event.image, images[c.a], images[c.b]);
+    hold_pair(world, i, j, c.event.image, images[c.a], images[c.b], acted);
   }
 }
 

@@ -281,8 +281,8 @@ class Collider {
 
   /// Both balls list the contact, with images relative to where they were stored just now.
   void hold_pair(WorldType& world, std::uint32_t i, std::uint32_t j, const Image<D>& image, const Turns<D>& image_a,
-                 const Turns<D>& image_b) {
-    Contact<D> contact{Party::ball, j, 0, image, 0, true, world.balls[i].stamp, world.balls[j].stamp};
+                 const Turns<D>& image_b, bool acted = true) {
+    Contact<D> contact{Party::ball, j, 0, image, 0, acted, world.balls[i].stamp, world.balls[j].stamp};
     for (int k = 0; k < D; ++k)
       contact.image[k] +=
           static_cast<std::int32_t>((world.details[j].image[k] - image_b[k]) - (world.details[i].image[k] - image_a[k]));
@@ -294,7 +294,7 @@ class Collider {
   }
 
   void hold_together(WorldType& world, const typename Together<Real, D>::Contact& c,
-                     const std::vector<Turns<D>>& images, const Time<Real>& now);
+                     const std::vector<Turns<D>>& images, const Time<Real>& now, bool acted);
   static void fill_member(RecordParty<Real, D>& party, const WorldType& world,
                           const typename Together<Real, D>::Member& m, const Time<Real>& now);
   template <class Sink>

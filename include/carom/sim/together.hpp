@@ -158,7 +158,8 @@ template <class Real, int D>
 [[nodiscard]] ClusterOutcome<Real, D> resolve_to_rounding(Cluster<Real, D> cluster) {
   constexpr int most_refinements = 3;
   ClusterOutcome<Real, D> out = resolve_cluster(cluster);
-  for (int n = 0; n < most_refinements && out.crushed.empty() && out.cut_short.empty(); ++n) {
+  if (!out.crushed.empty() || !out.cut_short.empty() || !out.unfinished.empty()) return out;
+  for (int n = 0; n < most_refinements; ++n) {
     const auto closes = [&](const auto& c) { return still_closes<Real, D>(c, out.velocities[c.a], out.velocities[c.b]); };
     if (std::none_of(cluster.contacts.begin(), cluster.contacts.end(), closes)) break;
     for (std::size_t b = 0; b < cluster.bodies.size(); ++b) cluster.bodies[b].velocity = out.velocities[b];
