@@ -66,6 +66,7 @@ struct Findings {
   std::optional<double> echo;  ///< largest distance from the start [length]; none where time has no mirror
   std::string no_echo;         ///< why none
   std::optional<Horizon> horizon;
+  std::string no_horizon;  ///< why none
   bool rules_compared = false;
   std::optional<HorizonMark> rules_differ;  ///< first collision after which the rules for simultaneous contacts differ
   bool interrupted = false;
@@ -83,10 +84,9 @@ class Check {
     found_.summary = simulation.summary();
     if (!interrupted()) compare_log(log);
     if (!interrupted()) run_back(simulation, start);
-    // Balls come to rest in double precision, and with contacts one by one.
-    const bool rests = scene_.collision.regularise == Regularise::rest;
-    if (!interrupted() && options_.horizon > 0 && !rests) look_for_horizon();
-    if (!interrupted() && !rests) compare_rules();
+    if (!interrupted()) look_for_horizon();
+    // Balls come to rest with contacts one by one.
+    if (!interrupted() && scene_.collision.regularise != Regularise::rest) compare_rules();
     found_.interrupted = interrupted();
     return std::move(found_);
   }
@@ -165,9 +165,20 @@ class Check {
   }
 
   void look_for_horizon() {
+    found_.no_horizon = why_no_horizon();
+    if (!found_.no_horizon.empty()) return;
     HorizonOptions options;
     options.collisions = options_.horizon;
     found_.horizon = find_horizon(scene_, options, &interrupt_);
+  }
+
+  [[nodiscard]] std::string why_no_horizon() const {
+    if (options_.horizon <= 0) return "not asked for";
+    const Coordinates& a = scene_.motion.acceleration;
+    const bool pulled = std::any_of(a.begin(), a.end(), [](const Number& x) { return x != 0; });
+    if (pulled && scene_.collision.regularise == Regularise::rest)
+      return "balls come to rest (collision.regularise = \"rest\") in double only, so there is no run in high precision";
+    return "";
   }
 
   [[nodiscard]] std::string why_no_echo() const {
@@ -228,7 +239,8 @@ Json as_json(const Findings& f) {
            {{"ties", f.summary.events.ties},
             {"compared", f.rules_compared},
             {"rules_differ", f.rules_differ ? as_json(f.rules_differ) : Json(nullptr)}}},
-          {"horizon", f.horizon ? as_json(*f.horizon) : Json(nullptr)}};
+          {"horizon", f.horizon ? as_json(*f.horizon) : Json(nullptr)},
+          {"no_horizon", f.no_horizon.empty() ? Json(nullptr) : Json(f.no_horizon)}};
 }
 
 std::string at(const HorizonMark& m) { return fmt::format("collision {}, time {}", m.event, number_text(m.time)); }
@@ -263,6 +275,7 @@ void print(std::ostream& out, const Findings& f) {
   row("same log",
       fmt::format("{}: {} against {}", f.same_log ? "yes, bit for bit" : "NO", f.summary.composition, f.reference));
   if (f.horizon) print(out, *f.horizon, row);
+  if (!f.no_horizon.empty()) row("horizon", "none: " + f.no_horizon);
   if (f.rules_compared)
     row("simultaneous",
         f.rules_differ ? fmt::format("{} ties; here physics is not unique: the rules sequential and symmetric part after {}",

@@ -59,6 +59,17 @@ TEST(CheckRules, horizon_is_part_of_the_report) {
   EXPECT_GT(j["horizon"]["digits_per_collision"], 0.0);
   EXPECT_LE(j["horizon"]["percent"]["event"], j["horizon"]["event"]);
   EXPECT_EQ(j["horizon"]["precision"], 50);
+  EXPECT_TRUE(j["no_horizon"].is_null());
+}
+
+// Balls come to rest in double only: there is no run in high precision to compare with, and the report says so.
+TEST(CheckRules, without_a_horizon_it_says_why) {
+  const Folder folder;
+  const json j = checked(folder, "[motion]\nacceleration = [0, -1]\n[collision]\nrestitution = 0.5\nregularise = \"rest\"\n"
+                                 "[[wall]]\nkind = \"plane\"\npoint = [0, 0]\nnormal = [0, 1]\n[[ball]]\nposition = [0, 2]\n"
+                                 "[run]\nuntil = 10\n");
+  EXPECT_TRUE(j["horizon"].is_null());
+  EXPECT_NE(j["no_horizon"].get<std::string>().find("rest"), std::string::npos);
 }
 
 }  // namespace
