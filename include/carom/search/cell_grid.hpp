@@ -60,13 +60,7 @@ class CellGrid {
       unlink(i);
       return;
     }
-    if (world.law == LawKind::merge) {
-      unlink(i);
-      for (int k = 0; k < D; ++k) tiles_[i][k] = tile_of(world.balls[i].position[k], k);
-      seen_[i] = world.details[i].image;
-      link(i);
-      return;
-    }
+    if (world.law == LawKind::merge) return place_anew(world, i);
     for (int k = 0; k < D; ++k) {
       tiles_[i][k] -= (world.details[i].image[k] - seen_[i][k]) * cells_[k];
       seen_[i][k] = world.details[i].image[k];
@@ -209,6 +203,13 @@ class CellGrid {
     using std::floor;
     const std::int64_t t = static_cast<std::int64_t>(floor((x - lower_[k]) / edge_[k]));
     return bounded_ ? std::clamp<std::int64_t>(t, 0, cells_[k] - 1) : t;
+  }
+
+  [[gnu::noinline]] void place_anew(const WorldType& world, std::uint32_t i) {
+    unlink(i);
+    for (int k = 0; k < D; ++k) tiles_[i][k] = tile_of(world.balls[i].position[k], k);
+    seen_[i] = world.details[i].image;
+    link(i);
   }
 
   [[nodiscard]] std::size_t cell_of(const Tile& tile) const {
