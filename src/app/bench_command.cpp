@@ -32,7 +32,8 @@ std::vector<BenchCase> cases(const BenchOptions& options) {
       BenchCase& c = list.emplace_back(options.common);
       c.balls = n;
       c.packing = phi;
-      if (!options.search.empty()) c.engine.search = choice<SearchKind>("--search", options.search, scene_text::search_kinds);
+      if (!options.search.empty())
+        c.engine.search = choice<SearchKind>("--search", options.search, scene_text::search_kinds);
       if (!options.queue.empty()) c.engine.queue = choice<QueueKind>("--queue", options.queue, scene_text::queue_kinds);
     }
   return list;
@@ -84,7 +85,9 @@ CLI::App* add_bench_command(CLI::App& program, BenchOptions& options) {
   command->add_option("--seconds", c.seconds, "Processor time of all windows of a row")
       ->check(CLI::Range(1e-3, 1e6))
       ->capture_default_str();
-  command->add_option("--windows", c.windows, "Windows, of which the median counts")->check(CLI::Range(1, 1000))->capture_default_str();
+  command->add_option("--windows", c.windows, "Windows, of which the median counts")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
   command->add_option("--seed", c.seed, "Of the placement and the velocities")->capture_default_str();
   command->add_option("--search", options.search, "As [engine] search")->type_name("WORD");
   command->add_option("--queue", options.queue, "As [engine] queue")->type_name("WORD");
@@ -106,7 +109,8 @@ ExitStatus bench(const BenchOptions& options, const Console& console) {
       rows.push_back(row_of(c, result));
     } else {
       if (first)
-        console.out << "     packing      balls  collisions/s     low      high  ns/coll.  pairs/c.  bytes/ball  start s  composition\n";
+        console.out << "     packing      balls     coll./s       low      high  ns/coll.  pairs/c.  bytes/ball  start s  "
+                       "composition\n";
       print(console.out, c, result);
     }
     first = false;

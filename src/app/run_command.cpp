@@ -27,8 +27,8 @@ namespace {
 constexpr std::int64_t shown_balls = 20;  // the table for people lists the balls of scenes up to this size
 
 /// Runs, and fills the files as it goes. A write that fails ends the run.
-RunReport carry_out(Simulation& simulation, const Scene& scene, Observers& observers, Samplers& samplers, RunOutputs& outputs,
-                    Checkpoints& checkpoints, Interrupt& interrupt, std::ostream* screen) {
+RunReport carry_out(Simulation& simulation, const Scene& scene, Observers& observers, Samplers& samplers,
+                    RunOutputs& outputs, Checkpoints& checkpoints, Interrupt& interrupt, std::ostream* screen) {
   RunReport report;
   Progress progress(screen, scene.run);
   Watchers watchers;

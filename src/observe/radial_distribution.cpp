@@ -108,7 +108,8 @@ double RadialDistribution::pairs_expected(double from, double to) const {
 }
 
 double RadialDistribution::contact(BlockRows::Row row) const {
-  const double samples = row[settings_.bins + contact_bins], width = contact_reach / contact_bins, sigma = settings_.diameter;
+  const double samples = row[settings_.bins + contact_bins], sigma = settings_.diameter;
+  constexpr double width = contact_reach / contact_bins;
   Fit fit;
   for (std::size_t k = 0; k < contact_bins; ++k) {
     const double pairs = row[settings_.bins + k], from = static_cast<double>(k) * width;
@@ -121,7 +122,8 @@ double RadialDistribution::contact(BlockRows::Row row) const {
 
 double RadialDistribution::contact_from_rate(BlockRows::Row row) const {
   const double d = settings_.dimension, collisions = row[settings_.bins + contact_bins + 1];
-  const double flux = row[settings_.bins + contact_bins + 2] / std::sqrt(std::numbers::pi) / mean_length_ratio(d * (count_ - 1));
+  const double thermal = row[settings_.bins + contact_bins + 2];
+  const double flux = thermal / std::sqrt(std::numbers::pi) / mean_length_ratio(d * (count_ - 1));
   const double surface = sphere_area(settings_.dimension) * std::pow(settings_.diameter, d - 1);
   return 2 * collisions / count_ / ((count_ - 1) / volume_ * surface * flux);
 }

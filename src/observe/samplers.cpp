@@ -153,8 +153,9 @@ Stop run_sampled(Simulation& simulation, const RunSpec& run, Samplers& samplers,
     std::int64_t last = run.events.value_or(std::numeric_limits<std::int64_t>::max());
     if (next && next->events) last = std::min(last, std::max(*next->events, simulation.counts().collisions()));
     const Stop stop = simulation.advance(in_time ? next->time : run.until, last - simulation.counts().collisions(), sink);
-    const bool reached = next && (next->events ? simulation.counts().collisions() >= *next->events
-                                               : in_time && (stop == Stop::until || (stop == Stop::no_events_left && run.until)));
+    const bool in_peace = stop == Stop::until || (stop == Stop::no_events_left && run.until);
+    const bool reached =
+        next && (next->events ? simulation.counts().collisions() >= *next->events : in_time && in_peace);
     if (reached) {
       samplers.look(simulation);
     } else {

@@ -47,7 +47,7 @@ TEST(Bench, prints_a_table) {
   const Folder folder;
   const auto o = carom(folder, quick_with({"--balls", "50", "--packing", "0.3"}));
   ASSERT_EQ(o.status, 0) << o.err;
-  EXPECT_THAT(o.out, HasSubstr("collisions/s"));
+  EXPECT_THAT(o.out, HasSubstr("coll./s"));
   EXPECT_THAT(o.out, HasSubstr("3-D     0.3         50"));
   EXPECT_TRUE(folder.files().size() == 2U) << "stdout and stderr; no file of its own";
 }
