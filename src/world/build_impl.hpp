@@ -50,20 +50,6 @@ Time<Real> clock_time(const Number& t, int exponent) {
 namespace detail {
 
 template <class Real, int D>
-void append_ball(World<Real, D>& world, const Vec<Real, D>& x, const Vec<Real, D>& v, const Real& radius, const Real& mass,
-                 std::uint32_t material) {
-  Ball<Real, D>& ball = world.balls.emplace_back();
-  ball.position = x;
-  ball.velocity = v;
-  ball.radius = radius;
-  ball.time = world.start;
-  BallDetail<Real, D>& detail = world.details.emplace_back();
-  detail.image = wrap(world.space, ball.position);
-  detail.mass = mass;
-  detail.material = material;
-}
-
-template <class Real, int D>
 class WorldBuilder {
  public:
   explicit WorldBuilder(const Scene& scene) : scene_(scene) {}
@@ -267,10 +253,17 @@ class WorldBuilder {
   /// Appends a ball; `rounded`: its numbers are doubles, whatever the arithmetic.
   void add_ball(const Vector& x, const Vector& v, const Real& radius, const Number& mass, bool fixed,
                 const std::string& material, std::string name, int line, bool rounded) {
-    append_ball(world_, x, v, radius, fixed ? infinity<Real>() : real_number<Real>(mass, -world_.units.mass),
-                materials_.at(material));
-    world_.balls.back().fixed = fixed;
-    world_.details.back().name = std::move(name);
+    Ball<Real, D>& ball = world_.balls.emplace_back();
+    ball.position = x;
+    ball.velocity = v;
+    ball.radius = radius;
+    ball.fixed = fixed;
+    ball.time = world_.start;
+    BallDetail<Real, D>& detail = world_.details.emplace_back();
+    detail.image = wrap(world_.space, ball.position);
+    detail.mass = fixed ? infinity<Real>() : real_number<Real>(mass, -world_.units.mass);
+    detail.material = materials_.at(material);
+    detail.name = std::move(name);
     bits_.push_back(input_bits<Real>(rounded));
     lines_.push_back(line);
   }
@@ -381,14 +374,29 @@ WorldAndGases<D> build_apart(const Scene& scene) {
 template <int D>
 World<double, D> join(WorldAndGases<D> parts) {
   World<double, D>& world = parts.world;
-  world.balls.reserve(parts.size());
-  world.details.reserve(parts.size());
-  for (GasBalls& g : parts.gases) {
-    const GasBalls gas = std::move(g);
-    for (std::size_t i = 0; i < gas.position.size(); i += D)
-      detail::append_ball(world, Vec<double, D>(gas.position.data() + i), Vec<double, D>(gas.velocity.data() + i), gas.radius,
-                          gas.mass, gas.material);
+  const std::size_t size = parts.size();
+  std::vector<std::size_t> ends;  // of each gas, in numbers of balls
+  world.balls.reserve(size);
+  for (GasBalls& gas : parts.gases) {
+    for (std::size_t i = 0; i < gas.position.size(); i += D) {
+      Ball<double, D>& ball = world.balls.emplace_back();
+      ball.position = Vec<double, D>(gas.position.data() + i);
+      ball.velocity = Vec<double, D>(gas.velocity.data() + i);
+      ball.radius = gas.radius;
+      ball.time = world.start;
+    }
+    ends.push_back(world.balls.size());
+    gas.position = {};
+    gas.velocity = {};
   }
+  // Only now, when the arrays are gone: details are the larger part of a ball.
+  world.details.reserve(size);
+  for (std::size_t g = 0; g < ends.size(); ++g)
+    while (world.details.size() < ends[g]) {
+      BallDetail<double, D>& detail = world.details.emplace_back();
+      detail.mass = parts.gases[g].mass;
+      detail.material = parts.gases[g].material;
+    }
   return std::move(world);
 }
 

@@ -34,7 +34,7 @@ struct WorldAndGases {
 template <int D>
 [[nodiscard]] WorldAndGases<D> build_apart(const Scene& scene);
 
-/// The world that `build` makes; `parts` are used up, gas by gas.
+/// The world that `build` makes; the arrays are given back before the larger part of the records is made.
 template <int D>
 [[nodiscard]] World<double, D> join(WorldAndGases<D> parts);
 
