@@ -14,6 +14,7 @@
 #include "carom/write/summary_table.hpp"
 #include "checkpoints.hpp"
 #include "interrupt.hpp"
+#include "live.hpp"
 #include "peak_memory.hpp"
 #include "progress.hpp"
 #include "run_outputs.hpp"
@@ -28,7 +29,7 @@ constexpr std::int64_t shown_balls = 20;  // the table for people lists the ball
 
 /// Runs, and fills the files as it goes. A write that fails ends the run.
 RunReport carry_out(Simulation& simulation, const Scene& scene, Observers& observers, Samplers& samplers,
-                    RunOutputs& outputs, Checkpoints& checkpoints, Interrupt& interrupt, std::ostream* screen) {
+                    RunOutputs& outputs, Checkpoints& checkpoints, Interrupt& interrupt, std::ostream* screen, Live* live) {
   RunReport report;
   Progress progress(screen, scene.run);
   Watchers watchers;
@@ -51,6 +52,7 @@ RunReport carry_out(Simulation& simulation, const Scene& scene, Observers& obser
       if (outputs.failed()) interrupt.flag() = true;
     };
   watchers.frames_at = scene.output.trajectory_frames;
+  if (live != nullptr) live->watch(watchers);
   run_to_the_end(simulation, scene.run, watchers);
   report.seconds = progress.seconds();
   observers.end(simulation);
@@ -102,6 +104,14 @@ CLI::App* add_run_command(CLI::App& program, RunOptions& options) {
   command->add_option("--checkpoint", options.checkpoint, "Saves the state at the end, and on Ctrl-C, in this file")
       ->type_name("FILE");
   command->add_option("--out", options.out, "Folder for the files of [output], made if it is not there")->type_name("DIR");
+  command
+      ->add_option_function<int>(
+          "--live", [&options](int port) { options.live = port; },
+          "Serves a page on 127.0.0.1 to watch the run by, until Ctrl-C. PORT 0: any that is free")
+      ->type_name("PORT")
+      ->expected(0, 1)
+      ->default_str("8018")
+      ->check(CLI::Range(0, 65535));
   command->add_flag("--json", options.json, "Prints one JSON object");
   command->add_flag("--final", options.final, "Adds the state of every ball at the end");
   command->add_flag("--quiet", options.quiet, "No progress and no table");
@@ -119,16 +129,22 @@ ExitStatus run(const RunOptions& options, const Console& console) {
   if (!options.resume.empty()) read_checkpoint(options.resume, simulation);
   Observers observers(scene, simulation);
   Samplers samplers(scene, simulation);
-  const RunRecord record = record_of(options.scene);
+  const RunRecord record = record;
   RunOutputs outputs(scene, options.out, simulation, {record.text, record.set, {}});
   if (!options.out.empty() && !outputs.any() && scene.output.checkpoint.empty() && options.checkpoint.empty() && !options.quiet)
     console.err << "carom: nothing is written to \"" << options.out << "\": the scene has no files under [output].\n";
 
   Checkpoints checkpoints(scene, options.checkpoint, options.out, simulation);
   Interrupt interrupt;
+  std::optional<Live> live;
+  if (options.live) {
+    live.emplace(*options.live, scene, simulation, record);
+    console.err << fmt::format("carom: watch it at http://127.0.0.1:{}/ (Ctrl-C ends it)\n", live->port()) << std::flush;
+  }
   const bool watched = console.err_is_terminal && !options.quiet;
   RunReport report =
-      carry_out(simulation, scene, observers, samplers, outputs, checkpoints, interrupt, watched ? &console.err : nullptr);
+      carry_out(simulation, scene, observers, samplers, outputs, checkpoints, interrupt, watched ? &console.err : nullptr,
+                live ? &*live : nullptr);
   std::string unwritten = outputs.finish(report.summary);
   const std::string unsaved = checkpoints.finish(simulation);
   unwritten += (unwritten.empty() || unsaved.empty() ? "" : "\n") + unsaved;
@@ -136,6 +152,7 @@ ExitStatus run(const RunOptions& options, const Console& console) {
   if (unwritten.empty()) report.files = outputs.written();
   print(options, report, simulation, console);
   if (!options.out.empty() && outputs.any()) write_run_record(options.out, record);
+  if (live) live->finish(report, interrupt.flag());
 
   if (!unwritten.empty()) throw OutputError(unwritten);
   if (report.summary.stopped) {

@@ -15,12 +15,12 @@
 #include "carom/write/replay_log.hpp"
 #include "carom/write/run_report.hpp"
 #include "interrupt.hpp"
-#include "model.hpp"
 #include "progress.hpp"
 #include "run_record.hpp"
 #include "run_to_the_end.hpp"
 #include "view_page.hpp"
 #include "view_picture.hpp"
+#include "view_scene.hpp"
 #include "view_steps.hpp"
 #include "view_tables.hpp"
 #include "write/replay_scene.hpp"
@@ -65,22 +65,6 @@ std::string page_of(const std::string& scene) {
   std::string name = path.stem().string();
   if (name == "scene" && path.parent_path().has_filename()) name = path.parent_path().filename().string();
   return name + ".html";
-}
-
-std::string text_with_settings(const RunRecord& record) {
-  std::string text;
-  for (const std::string& set : record.set) text += "# --set " + set + '\n';
-  return text + (text.empty() ? "" : "\n") + record.text;
-}
-
-Json scene_of_page(const Scene& scene, const Simulation& simulation, const ReplayLog& log, const RunRecord& record) {
-  Json j = replay_scene(scene, simulation);
-  j["energy"] = log.initial_energy();
-  j["version"] = CAROM_VERSION;
-  j["text"] = text_with_settings(record);
-  j["model"] = collision_rules(scene);
-  for (const std::string& sentence : not_modelled(scene)) j["model"].push_back("Not modelled: " + sentence);
-  return j;
 }
 
 /// A run on its way to a page.

@@ -26,13 +26,15 @@ class ViewPage {
   void finish();
 
  private:
-  void put(const PageParts::Text& text);
   void element(std::string_view attributes, std::string_view text);
 
   OutputFile file_;
   const PageParts& parts_;
   int dimension_;
 };
+
+/// The page of a run that has only begun: its log is fetched from the server that the page comes from.
+[[nodiscard]] std::string live_page(const PageParts& parts, int dimension, const Json& scene, std::string_view start);
 
 /// JSON that may stand in a script of an HTML page.
 [[nodiscard]] std::string json_in_page(const Json& object);

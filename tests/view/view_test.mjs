@@ -1,10 +1,11 @@
 // view_test.mjs CAROM EXAMPLES MODULES CHROMIUM OUT: pages of examples in a real browser. Pages and screenshots stay in OUT.
 
 import assert from 'node:assert/strict';
+import {spawn} from 'node:child_process';
 import {statSync} from 'node:fs';
 import {join} from 'node:path';
 import test from 'node:test';
-import {desktop, examples, file, pageOf, phone, run, withPage} from './browser.mjs';
+import {carom, desktop, examples, file, pageOf, phone, run, withPage} from './browser.mjs';
 
 /** Distance of the drawn surfaces of the two balls of event k [px], at its moment; of a wall event the ball's distance is not known: NaN. */
 const gapAt = (page, k) => page.evaluate((k) => {
@@ -152,4 +153,28 @@ test('one dimension, with paths in space and time', async () => {
     await page.screenshot({path: file('newtons_cradle.png')});
     noProblems(problems);
   });
+});
+
+test('a run is watched while it goes, from this machine alone', async (t) => {
+  const program = spawn(carom, ['run', join(examples, 'gas_in_a_box/scene.toml'), '--set', 'gas.0.count=100', '--events', '20000', '--live', '0', '--json', '--out', file('run')]);
+  let out = '';
+  program.stdout.on('data', (data) => (out += data));
+  const first = await new Promise((found) => program.stderr.once('data', (data) => found(String(data))));
+  if (first.includes('--live is not part of this carom')) return t.skip(first);
+  const [address] = /http:\/\/127\.0\.0\.1:\d+\//.exec(first);
+  try {
+    await withPage(address, desktop, async (page, problems) => {
+      await page.waitForFunction(() => window.carom.events === 20000 && window.carom.time > 0, null, {timeout: 60000});
+      await page.waitForFunction(() => document.getElementById('subtitle').textContent.endsWith('20\u202f000 events'));
+      assert.ok(Math.abs(await gapAt(page, 20000)) < 1e-6 || Number.isNaN(await gapAt(page, 20000)));
+      assert.equal((await fetch(address + 'etc/passwd')).status, 404);
+      assert.equal((await fetch(address + 'chunk?../../secret')).status, 400);
+      await page.screenshot({path: file('live.png')});
+      noProblems(problems);
+    });
+  } finally {
+    program.kill('SIGINT');
+  }
+  assert.equal(await new Promise((end) => program.on('exit', end)), 0);
+  assert.equal(JSON.parse(out).events.ball_ball + JSON.parse(out).events.ball_wall, 20000);
 });

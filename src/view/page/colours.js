@@ -30,16 +30,17 @@ export class Colours {
     }
     this.kinds = kinds.size;
     this.mode = log.balls <= 40 ? 'number' : this.kinds > 1 && this.kinds <= BY_NUMBER.length ? 'size' : 'speed';
-    let square = 0, moving = 0;
-    const add = (v, n) => {
-      for (let k = 0; k < n; ++k) square += v[k] * v[k];
-    };
-    add(log.startVelocity, log.startVelocity.length);
-    moving = log.balls;
-    this.fast = 2.2 * Math.sqrt(square / Math.max(1, moving)) || 1;
+    this.measure();
+    this.refresh();
+  }
+
+  /** The speed from which a ball has the last colour. */
+  measure() {
+    const {log} = this.replay;
+    const square = log.startVelocity.reduce((sum, v) => sum + v * v, 0);
+    this.fast = 2.2 * Math.sqrt(square / Math.max(1, log.balls)) || 1;
     const fastest = this.fastestChange();
     if (fastest > 0 && (this.fast > fastest || this.fast === 1)) this.fast = fastest;
-    this.refresh();
   }
 
   fastestChange() {

@@ -30,6 +30,7 @@ export async function streamInto(app) {
       ++chunk;
       app.replay.end = app.endOfRun();
       if (first) {
+        app.colours.measure();
         app.measure();
         app.setExponent(0);
         app.play(true);
