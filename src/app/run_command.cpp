@@ -129,7 +129,7 @@ ExitStatus run(const RunOptions& options, const Console& console) {
   if (!options.resume.empty()) read_checkpoint(options.resume, simulation);
   Observers observers(scene, simulation);
   Samplers samplers(scene, simulation);
-  const RunRecord record = record;
+  const RunRecord record = record_of(options.scene);
   RunOutputs outputs(scene, options.out, simulation, {record.text, record.set, {}});
   if (!options.out.empty() && !outputs.any() && scene.output.checkpoint.empty() && options.checkpoint.empty() && !options.quiet)
     console.err << "carom: nothing is written to \"" << options.out << "\": the scene has no files under [output].\n";
