@@ -92,10 +92,8 @@ class ComposedEngine final : public Simulation::Engine {
     Time<Real> end = to ? clock_time<Real>(*to, world().units.time) : Time<Real>::never();
     if (end < reached_) end = reached_;
     const std::int64_t collisions = most.value_or(std::numeric_limits<std::int64_t>::max());
-    stop_ = sink ? integrator_->advance(end, collisions, Translate{*this, sink}, interrupt)
-                   : integrator_->advance(end, collisions, NoSink{}, interrupt);
     stop_ = sink || motion_sink ? integrator_->advance(end, collisions, Translate{*this, sink}, interrupt)
-                 : integrator_->advance(end, collisions, NoSink{}, interrupt);
+                                : integrator_->advance(end, collisions, NoSink{}, interrupt);
     const bool to_the_end = (stop_ == Stop::until || stop_ == Stop::no_events_left) && !end.is_never();
     if (to_the_end) {
       reached_ = end;
