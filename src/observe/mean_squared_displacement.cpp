@@ -2,15 +2,15 @@
 
 namespace carom {
 
-void MeanSquaredDisplacement::sample(const Frame& frame) {
-  origins_.sample(frame.position, [&](const Origins::Origin& origin, std::size_t lag) {
+void MeanSquaredDisplacement::sample(const Snapshot& balls) {
+  origins_.sample(balls.position, [&](const Origins::Origin& origin, std::size_t lag) {
     double sum = 0;
-    for (std::size_t i = 0; i < frame.size(); ++i)
+    for (std::size_t i = 0; i < balls.size(); ++i)
       for (std::size_t k = 0; k < 3; ++k) {
-        const double d = frame.position[i][k] - origin.value[i][k];
+        const double d = balls.position[i][k] - origin.value[i][k];
         sum += d * d;
       }
-    curve_.add(origin.number, lag, sum, static_cast<double>(frame.size()));
+    curve_.add(origin.number, lag, sum, static_cast<double>(balls.size()));
   });
 }
 

@@ -68,8 +68,8 @@ RadialDistribution::RadialDistribution(const Settings& settings)
 RadialDistribution::~RadialDistribution() = default;
 RadialDistribution::RadialDistribution(RadialDistribution&&) noexcept = default;
 
-void RadialDistribution::sample(const Frame& frame) {
-  count_ = static_cast<double>(frame.size());
+void RadialDistribution::sample(const Snapshot& balls) {
+  count_ = static_cast<double>(balls.size());
   const std::span<double> row = sums_.row(sums_.units());
   const double per_length = static_cast<double>(settings_.bins) / settings_.r_max;
   const double sigma = settings_.diameter, near = sigma * (1 + contact_reach);
@@ -83,21 +83,21 @@ void RadialDistribution::sample(const Frame& frame) {
       row[settings_.bins + std::min(shell, contact_bins - 1)] += 1;
     }
   };
-  std::visit([&](auto& pairs) { pairs.each(frame.position, take); }, pairs_->of);
+  std::visit([&](auto& pairs) { pairs.each(balls.position, take); }, pairs_->of);
   row[settings_.bins + contact_bins] += 1;
-  if (sigma > 0) count_collisions(frame, row);
+  if (sigma > 0) count_collisions(balls, row);
 }
 
-void RadialDistribution::count_collisions(const Frame& frame, std::span<double> row) {
-  const double kT = 2 * frame.kinetic / (settings_.dimension * (count_ - 1));
+void RadialDistribution::count_collisions(const Snapshot& balls, std::span<double> row) {
+  const double kT = 2 * balls.kinetic / (settings_.dimension * (count_ - 1));
   const double speed = std::sqrt(kT / settings_.mass);
   if (sums_.units() > 1) {
-    row[settings_.bins + contact_bins + 1] += static_cast<double>(frame.ball_ball - last_collisions_);
-    row[settings_.bins + contact_bins + 2] += (frame.time - last_time_) * (speed + last_speed_) / 2;
+    row[settings_.bins + contact_bins + 1] += static_cast<double>(balls.ball_ball - last_collisions_);
+    row[settings_.bins + contact_bins + 2] += (balls.time - last_time_) * (speed + last_speed_) / 2;
   }
-  last_time_ = frame.time;
+  last_time_ = balls.time;
   last_speed_ = speed;
-  last_collisions_ = frame.ball_ball;
+  last_collisions_ = balls.ball_ball;
 }
 
 /// In one sample, if g were 1.

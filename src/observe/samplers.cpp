@@ -137,11 +137,11 @@ double Samplers::first_due() const {
 
 void Samplers::look(const Simulation& simulation) {
   if (!began_) began_ = simulation.time();
-  look_at(simulation, frame_);
+  look_at(simulation, balls_);
   const double now = first_due();  // the clock has rounded it
   for (Timed& t : samplers_) {
     if (due(t) > now) continue;
-    std::visit([this](auto& s) { s.sample(frame_); }, t.sampler);
+    std::visit([this](auto& s) { s.sample(balls_); }, t.sampler);
     ++t.taken;
   }
 }

@@ -2,12 +2,12 @@
 
 namespace carom {
 
-void VelocityAutocorrelation::sample(const Frame& frame) {
-  origins_.sample(frame.velocity, [&](const Origins::Origin& origin, std::size_t lag) {
+void VelocityAutocorrelation::sample(const Snapshot& balls) {
+  origins_.sample(balls.velocity, [&](const Origins::Origin& origin, std::size_t lag) {
     double sum = 0;
-    for (std::size_t i = 0; i < frame.size(); ++i)
-      for (std::size_t k = 0; k < 3; ++k) sum += frame.velocity[i][k] * origin.value[i][k];
-    curve_.add(origin.number, lag, sum, static_cast<double>(frame.size()));
+    for (std::size_t i = 0; i < balls.size(); ++i)
+      for (std::size_t k = 0; k < 3; ++k) sum += balls.velocity[i][k] * origin.value[i][k];
+    curve_.add(origin.number, lag, sum, static_cast<double>(balls.size()));
   });
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // How far balls get in a time, and how they diffuse.
 
-#include "carom/observe/frame.hpp"
+#include "carom/observe/snapshot.hpp"
 #include "carom/observe/lag_curve.hpp"
 #include "carom/observe/origins.hpp"
 
@@ -16,7 +16,7 @@ class MeanSquaredDisplacement {
   MeanSquaredDisplacement(int dimension, std::size_t lags, std::size_t origins, double step)
       : dimension_(dimension), origins_(lags, origins), curve_(lags, step) {}
 
-  void sample(const Frame& frame);
+  void sample(const Snapshot& balls);
   [[nodiscard]] Estimates estimates() const;
   [[nodiscard]] Table table() const { return curve_.table("mean_squared_displacement", "msd"); }
 

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "carom/observe/block_rows.hpp"
-#include "carom/observe/frame.hpp"
+#include "carom/observe/snapshot.hpp"
 #include "carom/observe/table.hpp"
 
 namespace carom {
@@ -37,7 +37,7 @@ class RadialDistribution {
   ~RadialDistribution();
   RadialDistribution(RadialDistribution&&) noexcept;
 
-  void sample(const Frame& frame);
+  void sample(const Snapshot& balls);
 
   [[nodiscard]] Estimates estimates() const;
 
@@ -52,7 +52,7 @@ class RadialDistribution {
   [[nodiscard]] double pairs_expected(double from, double to) const;
   [[nodiscard]] double contact(BlockRows::Row row) const;
   [[nodiscard]] double contact_from_rate(BlockRows::Row row) const;
-  void count_collisions(const Frame& frame, std::span<double> row);
+  void count_collisions(const Snapshot& balls, std::span<double> row);
 
   Settings settings_;
   std::unique_ptr<Pairs> pairs_;

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "carom/observe/frame.hpp"
+#include "carom/observe/snapshot.hpp"
 #include "carom/observe/mean_squared_displacement.hpp"
 #include "carom/observe/radial_distribution.hpp"
 #include "carom/observe/velocity_autocorrelation.hpp"
@@ -60,7 +60,7 @@ class Samplers {
   std::optional<std::int64_t> after_events_;
   double after_ = 0.0;  // [time]
   std::optional<double> began_;
-  Frame frame_;
+  Snapshot balls_;
 };
 
 /// Runs to the end that `run` gives, and looks on the way.

@@ -1,7 +1,7 @@
 #pragma once
 // How long balls remember their velocities.
 
-#include "carom/observe/frame.hpp"
+#include "carom/observe/snapshot.hpp"
 #include "carom/observe/lag_curve.hpp"
 #include "carom/observe/origins.hpp"
 
@@ -17,7 +17,7 @@ class VelocityAutocorrelation {
   VelocityAutocorrelation(int dimension, std::size_t lags, std::size_t origins, double step)
       : dimension_(dimension), origins_(lags, origins), curve_(lags, step) {}
 
-  void sample(const Frame& frame);
+  void sample(const Snapshot& balls);
   [[nodiscard]] Estimates estimates() const;
   [[nodiscard]] Table table() const { return curve_.table("velocity_autocorrelation", "vacf"); }
 

@@ -10,7 +10,7 @@
 namespace carom {
 
 /// The balls of finite mass that have not left, in the order of their numbers.
-struct Frame {
+struct Snapshot {
   double time = 0.0;              ///< [time]
   std::int64_t ball_ball = 0;     ///< collisions of two balls so far
   std::vector<Triple> position;   ///< [length] not wrapped
@@ -20,7 +20,7 @@ struct Frame {
   [[nodiscard]] std::size_t size() const noexcept { return position.size(); }
 };
 
-/// The balls at the simulation's time. `frame` lends its memory.
-void look_at(const Simulation& simulation, Frame& frame);
+/// The balls at the simulation's time. `balls` lends its memory.
+void look_at(const Simulation& simulation, Snapshot& balls);
 
 }  // namespace carom
