@@ -51,7 +51,7 @@ std::int64_t chosen(const ConvertOptions& o, const Survey& s) {
   return number;
 }
 
-void give_radii(const ConvertOptions& o, TrajectoryHead& head, Frame& frame) {
+void give_radii(const ConvertOptions& o, TrajectoryHead& head, TrajectoryFrame& frame) {
   if (head.radii || !o.radius) return;
   for (BallState& ball : frame.balls) ball.radius = *o.radius;
 }
@@ -62,7 +62,7 @@ void for_frames(const ConvertOptions& o, const Survey& s, bool one, Take take) {
   const std::int64_t only = one ? chosen(o, s) : -1;
   const std::unique_ptr<FrameReader> reader = read_frames(o.file);
   TrajectoryHead head = s.head;
-  Frame frame;
+  TrajectoryFrame frame;
   for (std::int64_t k = 0; reader->next(frame); ++k) {
     if (only >= 0 && k != only) continue;
     give_radii(o, head, frame);
@@ -74,7 +74,7 @@ void for_frames(const ConvertOptions& o, const Survey& s, bool one, Take take) {
 void write_scene(const ConvertOptions& o, const Survey& s, const std::string& target) {
   if (!s.head.radii && !o.radius)
     refuse("\"" + o.file + "\" has no radii", "a scene needs them", "Give all balls one with --radius R");
-  for_frames(o, s, true, [&](const Frame& frame) {
+  for_frames(o, s, true, [&](const TrajectoryFrame& frame) {
     OutputFile file(target);
     file.line() += scene_toml(s.head, frame, {fs::path(o.file).filename().string(), o.temperature, o.seed});
     file.close();
@@ -87,7 +87,7 @@ void write_frames(const ConvertOptions& o, const Survey& s, const std::string& t
   Provenance provenance;
   provenance.converted_from = fs::path(o.file).filename().string();
   const std::unique_ptr<Trajectory> trajectory = begin_trajectory(target, head, provenance);
-  for_frames(o, s, o.frame.has_value(), [&](const Frame& frame) { trajectory->write(frame); });
+  for_frames(o, s, o.frame.has_value(), [&](const TrajectoryFrame& frame) { trajectory->write(frame); });
   trajectory->finish({s.stopped_by, std::nullopt});
 }
 

@@ -63,7 +63,7 @@ std::string settings(const std::string& title, const std::string& x, const std::
 Figure energy(const PlainTable& ledger) {
   const auto column = [&](const char* name) { return ledger.find(name).value_or(0) + 1; };
   std::string s = data("ledger", ledger.rows) + settings(ledger.title, "time", "energy");
-  s += "set multiplot layout 2,1\n";
+  s += "set offsets 0, 0, graph 0.08, graph 0.08\nset multiplot layout 2,1\n";
   s += fmt::format("plot $ledger using 1:{} with lines title 'energy', '' using 1:{} with lines title 'dissipated', "
                    "'' using 1:{} with lines title 'injected'\n",
                    column("energy"), column("dissipated"), column("injected"));
@@ -120,7 +120,7 @@ std::optional<Figure> speeds_of_frames(const std::string& path) {
   std::optional<double> mass;
   bool one_mass = true;
   const std::unique_ptr<FrameReader> reader = read_frames(path);
-  for (Frame frame; reader->next(frame);)
+  for (TrajectoryFrame frame; reader->next(frame);)
     for (const BallState& ball : frame.balls) {
       double square = 0.0;
       for (const double v : ball.velocity) square += v * v;

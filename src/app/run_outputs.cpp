@@ -85,7 +85,7 @@ RunOutputs::RunOutputs(const Scene& scene, const std::string& folder, const Simu
 
 void RunOutputs::frame(const Simulation& simulation) {
   const bool books = ledger_ || (trajectory_ && trajectory_->books() == Books::kept);
-  const Frame frame = frame_of(simulation, books ? Books::kept : Books::left_out);
+  const TrajectoryFrame frame = frame_of(simulation, books ? Books::kept : Books::left_out);
   if (trajectory_) trajectory_->write(frame);
   if (ledger_) ledger_->write(frame);
 }

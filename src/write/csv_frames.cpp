@@ -27,7 +27,7 @@ class CsvFrames final : public FrameReader {
   [[nodiscard]] std::string stopped_by() const override { return stopped_by_; }
   [[nodiscard]] bool has_end_mark() const override { return true; }
 
-  bool next(Frame& frame) override {
+  bool next(TrajectoryFrame& frame) override {
     if (!more_) return false;
     frame = {};
     const std::string time(cells_[time_]);

@@ -17,7 +17,7 @@ constexpr std::array<std::string_view, 118> elements{
     "Tl", "Pb", "Bi", "Po", "At", "Rn", "Fr", "Ra", "Ac", "Th", "Pa", "U",  "Np", "Pu", "Am", "Cm", "Bk", "Cf", "Es", "Fm",
     "Md", "No", "Lr", "Rf", "Db", "Sg", "Bh", "Hs", "Mt", "Ds", "Rg", "Cn", "Nh", "Fl", "Mc", "Lv", "Ts", "Og"};
 
-double largest_diameter(const Frame& frame) {
+double largest_diameter(const TrajectoryFrame& frame) {
   double radius = 0.0;
   for (const BallState& ball : frame.balls) radius = std::max(radius, ball.radius.value);
   return radius > 0 ? 2 * radius : 1.0;
@@ -27,7 +27,7 @@ double largest_diameter(const Frame& frame) {
 
 ExtendedXyz::ExtendedXyz(std::string path, TrajectoryHead head) : file_(std::move(path)), head_(std::move(head)) {}
 
-void ExtendedXyz::append_space(const Frame& frame) {
+void ExtendedXyz::append_space(const TrajectoryFrame& frame) {
   std::string& line = file_.line();
   const auto dimension = static_cast<std::size_t>(head_.dimension);
   if (thickness_ == 0.0) thickness_ = largest_diameter(frame);
@@ -85,7 +85,7 @@ void ExtendedXyz::append_ball(const BallState& ball) {
   file_.end_line();
 }
 
-void ExtendedXyz::write(const Frame& frame) {
+void ExtendedXyz::write(const TrajectoryFrame& frame) {
   std::string& line = file_.line();
   append_number(line, static_cast<std::int64_t>(frame.balls.size()));
   file_.end_line();

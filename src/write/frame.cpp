@@ -16,8 +16,8 @@ FrameBooks books_of(const Simulation& simulation) {
 
 }  // namespace
 
-Frame frame_of(const Simulation& simulation, Books books) {
-  Frame frame{simulation.time(), simulation.balls(), std::nullopt};
+TrajectoryFrame frame_of(const Simulation& simulation, Books books) {
+  TrajectoryFrame frame{simulation.time(), simulation.balls(), std::nullopt};
   if (books == Books::kept) frame.books = books_of(simulation);
   return frame;
 }

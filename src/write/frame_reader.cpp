@@ -46,7 +46,7 @@ Survey survey(const std::string& path) {
   std::uint32_t balls = 0;
   bool varying = false;
   std::vector<BallState> first;
-  for (Frame frame; reader->next(frame); ++s.frames) {
+  for (TrajectoryFrame frame; reader->next(frame); ++s.frames) {
     if (s.frames == 0) first = frame.balls;
     varying = varying || !same_bodies(first, frame.balls);
     for (const BallState& ball : frame.balls) balls = std::max(balls, ball.index + 1);

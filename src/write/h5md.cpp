@@ -49,7 +49,7 @@ class H5md::File {
     if (error_) throw OutputError(unwritten(path_, *error_));
   }
 
-  void write(const Frame& frame) {
+  void write(const TrajectoryFrame& frame) {
     guarded([&] {
       if (step_ == 0) begin_frames(frame);
       append(frame);
@@ -145,7 +145,7 @@ class H5md::File {
   }
 
   /// What stays as the first frame has it, and the observables, if there are any.
-  void begin_frames(const Frame& frame) {
+  void begin_frames(const TrajectoryFrame& frame) {
     if (!head_.varying && frame.balls.size() == head_.balls) {
       std::vector<double> mass, radius;
       for (const BallState& ball : frame.balls) {
@@ -170,7 +170,7 @@ class H5md::File {
     begin(h_->momentum, "momentum", {static_cast<hsize_t>(head_.dimension)});
   }
 
-  void append(const Frame& frame) {
+  void append(const TrajectoryFrame& frame) {
     h_->step->append(step_++);
     h_->time->append(frame.time.value);
     append_balls(frame);
@@ -184,7 +184,7 @@ class H5md::File {
     h_->momentum->append(std::vector<double>(b.momentum.begin(), b.momentum.end()));
   }
 
-  void append_balls(const Frame& frame) {
+  void append_balls(const TrajectoryFrame& frame) {
     const auto dimension = static_cast<std::size_t>(head_.dimension);
     constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
     std::vector<double> position(head_.balls * dimension, nothing), velocity = position;
@@ -231,7 +231,7 @@ H5md::~H5md() {
   file_->close();
 }
 
-void H5md::write(const Frame& frame) { file_->write(frame); }
+void H5md::write(const TrajectoryFrame& frame) { file_->write(frame); }
 bool H5md::failed() const noexcept { return file_->failed(); }
 void H5md::finish(const Ending& ending) { file_->finish(ending); }
 

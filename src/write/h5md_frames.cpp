@@ -120,7 +120,7 @@ class H5mdFrames final : public FrameReader {
   [[nodiscard]] const TrajectoryHead& head() const override { return head_; }
   [[nodiscard]] std::string stopped_by() const override { return stopped_by_; }
 
-  bool next(Frame& frame) override {
+  bool next(TrajectoryFrame& frame) override {
     if (row_ >= frames_) return false;
     read([&] { fill(frame); });
     ++row_;
@@ -184,7 +184,7 @@ class H5mdFrames final : public FrameReader {
     }
   }
 
-  void fill(Frame& frame) const {
+  void fill(TrajectoryFrame& frame) const {
     frame = {};
     const auto dimension = static_cast<std::size_t>(head_.dimension), count = static_cast<std::size_t>(position_.set->shape[1]);
     const auto of = [&]<class T>(const Element& element, std::size_t size, T otherwise) {

@@ -16,7 +16,7 @@ LedgerCsv::LedgerCsv(std::string path, const TrajectoryHead& head) : file_(std::
   file_.end_line();
 }
 
-void LedgerCsv::write(const Frame& frame) {
+void LedgerCsv::write(const TrajectoryFrame& frame) {
   const FrameBooks& b = frame.books.value();
   std::string& line = file_.line();
   append_number(line, frame.time);

@@ -47,7 +47,7 @@ std::string toml_vector(const Components& components) {
 }
 
 /// Maxwell velocities for balls of each mass.
-std::vector<std::vector<Number>> drawn_velocities(const TrajectoryHead& head, const Frame& frame, const SnapshotScene& options) {
+std::vector<std::vector<Number>> drawn_velocities(const TrajectoryHead& head, const TrajectoryFrame& frame, const SnapshotScene& options) {
   std::map<double, std::vector<std::size_t>> of_mass;
   for (std::size_t i = 0; i < frame.balls.size(); ++i) of_mass[frame.balls[i].mass].push_back(i);
   std::vector<std::vector<Number>> velocities(frame.balls.size());
@@ -65,7 +65,7 @@ std::vector<std::vector<Number>> drawn_velocities(const TrajectoryHead& head, co
 
 }  // namespace
 
-std::string scene_toml(const TrajectoryHead& head, const Frame& frame, const SnapshotScene& options) {
+std::string scene_toml(const TrajectoryHead& head, const TrajectoryFrame& frame, const SnapshotScene& options) {
   const auto dimension = static_cast<std::size_t>(head.dimension);
   std::string s = fmt::format("# {} balls from {}, time {}.\n", frame.balls.size(), options.source, number_text(frame.time));
   s += head.velocities

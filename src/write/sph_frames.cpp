@@ -19,7 +19,7 @@ class SphFrames final : public FrameReader {
 
   [[nodiscard]] const TrajectoryHead& head() const override { return head_; }
 
-  bool next(Frame& frame) override {
+  bool next(TrajectoryFrame& frame) override {
     if (left_ < 0) return false;
     frame = {};
     frame.time = static_cast<double>(frames_++);

@@ -41,7 +41,7 @@ TrajectoryCsv::TrajectoryCsv(std::string path, const TrajectoryHead& head)
   file_.end_line();
 }
 
-void TrajectoryCsv::write(const Frame& frame) {
+void TrajectoryCsv::write(const TrajectoryFrame& frame) {
   std::string& line = file_.line();
   const auto append = [&line](const auto& components) {
     for (const auto& x : components) {

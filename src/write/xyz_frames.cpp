@@ -50,7 +50,7 @@ class XyzFrames final : public FrameReader {
 
   [[nodiscard]] const TrajectoryHead& head() const override { return head_; }
 
-  bool next(Frame& frame) override {
+  bool next(TrajectoryFrame& frame) override {
     if (left_ < 0) return false;
     frame = {};
     frame.time = time_ ? *time_ : Number(static_cast<double>(frames_));

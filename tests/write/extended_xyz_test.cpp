@@ -58,7 +58,7 @@ TEST(ExtendedXyz, is_read_back_as_it_was) {
   EXPECT_THAT(reader->head().lower, ElementsAre(-1, 0, 0));
   EXPECT_THAT(reader->head().upper, ElementsAre(10, 10, 10));
   Simulation simulation(scene);
-  Frame frame;
+  TrajectoryFrame frame;
   bool wrapped = false;
   for (const double t : {0.0, 0.7, 12.0}) {
     simulation.advance(Number(t));
@@ -111,7 +111,7 @@ TEST(ExtendedXyz, of_other_programs_is_taken_by_its_keys) {
   EXPECT_EQ(reader->head().space, SpaceKind::periodic);
   EXPECT_TRUE(reader->head().velocities);
   EXPECT_FALSE(reader->head().radii);
-  Frame frame;
+  TrajectoryFrame frame;
   ASSERT_TRUE(reader->next(frame));
   EXPECT_EQ(frame.time.value, 1.5);
   EXPECT_EQ(frame.balls[0].position[2].value, 3.0);

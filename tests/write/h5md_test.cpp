@@ -109,7 +109,7 @@ TEST_F(H5mdFile, marks_balls_that_have_left) {
                    "assert (a['mass/value'][:, 0] == [1, 2, 3]).all()\n"
                    "assert numpy.isnan(a['position/value'][2, 1:]).all() and 'species' not in a\n");
   const auto reader = read_frames(folder.file("merge.h5"));
-  Frame frame;
+  TrajectoryFrame frame;
   for (const std::size_t left : {3U, 2U, 1U}) {
     ASSERT_TRUE(reader->next(frame));
     EXPECT_EQ(frame.balls.size(), left);
@@ -124,7 +124,7 @@ TEST_F(H5mdFile, is_read_back_as_it_was) {
   EXPECT_EQ(reader->head().space, SpaceKind::periodic);
   EXPECT_THAT(reader->head().upper, testing::ElementsAre(7, 7, 0));
   Simulation simulation(scene);
-  Frame frame;
+  TrajectoryFrame frame;
   for (int k = 0; k <= 40; ++k) {
     if (k > 0) simulation.advance(std::nullopt, 1);
     ASSERT_TRUE(reader->next(frame));

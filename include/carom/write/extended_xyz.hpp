@@ -24,12 +24,12 @@ class ExtendedXyz final : public Trajectory {
   /// Throws OutputError.
   ExtendedXyz(std::string path, TrajectoryHead head);
 
-  void write(const Frame& frame) override;
+  void write(const TrajectoryFrame& frame) override;
   [[nodiscard]] bool failed() const noexcept override { return file_.failed(); }
   void finish(const Ending& ending) override;
 
  private:
-  void append_space(const Frame& frame);
+  void append_space(const TrajectoryFrame& frame);
   void append_ball(const BallState& ball);
   [[nodiscard]] std::string_view species(const BallState& ball);
 

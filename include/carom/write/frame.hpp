@@ -23,7 +23,7 @@ struct FrameBooks {
   std::vector<Number> momentum;
 };
 
-struct Frame {
+struct TrajectoryFrame {
   Number time = 0.0;
   std::vector<BallState> balls;     ///< those that are left, smaller numbers first
   std::optional<FrameBooks> books;  ///< none: not known
@@ -45,7 +45,7 @@ struct TrajectoryHead {
 enum class Books { left_out, kept };
 
 /// At the time that the simulation has reached.
-[[nodiscard]] Frame frame_of(const Simulation& simulation, Books books = Books::left_out);
+[[nodiscard]] TrajectoryFrame frame_of(const Simulation& simulation, Books books = Books::left_out);
 
 /// `scene` is that of the simulation.
 [[nodiscard]] TrajectoryHead head_of(const Scene& scene, const Simulation& simulation);

@@ -20,7 +20,7 @@ class FrameReader {
   [[nodiscard]] virtual const TrajectoryHead& head() const = 0;
 
   /// The next frame, balls by number; false: there is none. Throws InputError with the line that is wrong.
-  virtual bool next(Frame& frame) = 0;
+  virtual bool next(TrajectoryFrame& frame) = 0;
 
   /// After the last frame: how the run ended; empty: the format, or a file that was cut off, does not say.
   [[nodiscard]] virtual std::string stopped_by() const { return {}; }

@@ -26,7 +26,7 @@ class H5md final : public Trajectory {
   ~H5md() override;
 
   [[nodiscard]] Books books() const override { return Books::kept; }
-  void write(const Frame& frame) override;
+  void write(const TrajectoryFrame& frame) override;
   [[nodiscard]] bool failed() const noexcept override;
   void finish(const Ending& ending) override;
 

@@ -18,7 +18,7 @@ class LedgerCsv {
   LedgerCsv(std::string path, const TrajectoryHead& head);
 
   /// A frame with its books.
-  void write(const Frame& frame);
+  void write(const TrajectoryFrame& frame);
 
   [[nodiscard]] bool failed() const noexcept { return file_.failed(); }
 

@@ -16,6 +16,6 @@ struct SnapshotScene {
 
 /// The space and a [[ball]] for each ball, in order, numbers with all their digits. Laws, walls and forces are in no
 /// trajectory: they are left at their defaults.
-[[nodiscard]] std::string scene_toml(const TrajectoryHead& head, const Frame& frame, const SnapshotScene& options);
+[[nodiscard]] std::string scene_toml(const TrajectoryHead& head, const TrajectoryFrame& frame, const SnapshotScene& options);
 
 }  // namespace carom

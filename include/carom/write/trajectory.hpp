@@ -36,7 +36,7 @@ class Trajectory {
   /// Whether frames are to come with their books, as far as they are known.
   [[nodiscard]] virtual Books books() const { return Books::left_out; }
 
-  virtual void write(const Frame& frame) = 0;
+  virtual void write(const TrajectoryFrame& frame) = 0;
 
   /// A write has failed: what comes after is lost, and `finish` will say why.
   [[nodiscard]] virtual bool failed() const noexcept = 0;

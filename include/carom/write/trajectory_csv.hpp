@@ -17,7 +17,7 @@ class TrajectoryCsv final : public Trajectory {
   /// Throws OutputError.
   TrajectoryCsv(std::string path, const TrajectoryHead& head);
 
-  void write(const Frame& frame) override;
+  void write(const TrajectoryFrame& frame) override;
   [[nodiscard]] bool failed() const noexcept override { return file_.failed(); }
   void finish(const Ending& ending) override;
 
