@@ -181,6 +181,18 @@ class Maker {
   std::vector<Surface> surfaces_;
 };
 
+/// Plastic impacts after which the bodies stay in contact: at walls, and between balls on a line.
+std::string lasting_contact(const System& system) {
+  for (const SystemBall& a : system.balls) {
+    if (a.fixed) continue;
+    for (std::size_t w = 0; w < system.walls.size(); ++w)
+      if (system.at_wall[a.material][w] == 0) return fmt::format("restitution 0 at wall {}", system.walls[w]);
+    for (const SystemBall& b : system.balls)
+      if (system.dimension == 1 && system.restitution[a.material][b.material] == 0) return "restitution 0 on a line";
+  }
+  return "";
+}
+
 }  // namespace
 
 bool is_zero(const Vector& v) {
@@ -194,6 +206,10 @@ System system_of(const Scene& scene) {
   if (problems.empty()) problems = outside_the_scope(scene);
   if (!problems.empty()) throw InputError(problems);
   System system = Maker(scene)();
+  const std::string lasting = lasting_contact(system);
+  if (!lasting.empty())
+    throw InputError(Problem{scene.file, scene.collision.where.line, lasting + ": no proof is made for it",
+                             "the bodies stay in contact after an impact", "Take a restitution above 0"});
   const std::string contact = contact_at_the_start(system, scene.balls.size());
   if (!contact.empty())
     throw InputError(Problem{scene.file, 0, contact, "a proof of the order of events begins with all balls apart",

@@ -89,6 +89,12 @@ TEST(Prove, bounds_hold_the_truth) {
   }
 }
 
+// Off centre, a plastic impact leaves the balls sliding off each other: the gap has a double zero.
+TEST(Prove, plastic_impact_in_the_plane) {
+  const Report r = proven(scene_of("[collision]\nrestitution = 0\n[[ball]]\nposition = [-5, 1]\nvelocity = [1, 0]\nradius = 1\n[[ball]]\nposition = [0, 0]\nradius = 1\n[run]\nuntil = 9\n"));
+  EXPECT_EQ(r.events, 1);
+}
+
 // Two pairs that meet at the same moment, and one fixed ball that is hit from both sides: no order is needed.
 TEST(Prove, simultaneous_events_that_share_no_moving_ball) {
   const Report r = proven(scene_of("[[ball]]\nposition = [-3, 0]\nvelocity = [1, 0]\n[[ball]]\nposition = [0, 0.55]\n"
@@ -160,6 +166,8 @@ TEST(Prove, refuses_by_name) {
   EXPECT_THAT(refusal("[collision]\nlaw = \"stick\"\n" + balls), HasSubstr("joins balls"));
   EXPECT_THAT(refusal("[collision]\ncontact_time = 0.1\n" + balls), HasSubstr("contact_time"));
   EXPECT_THAT(refusal("[motion]\nacceleration = [0, -1]\n[collision]\nregularise = \"rest\"\n" + balls), HasSubstr("regularise"));
+  EXPECT_THAT(refusal("dimension = 1\n[collision]\nrestitution = 0\n[[ball]]\nposition = [0]\n[[ball]]\nposition = [3]\n[run]\nuntil = 1\n"), HasSubstr("restitution 0 on a line"));
+  EXPECT_THAT(refusal("[[wall]]\nkind = \"plane\"\npoint = [0, -5]\nnormal = [0, 1]\nrestitution = 0\n" + balls), HasSubstr("restitution 0 at wall 0"));
   EXPECT_THAT(refusal("[[ball]]\nposition = [1, 0]\n" + balls), HasSubstr("ball 0 and ball 1 start in contact"));
   EXPECT_THAT(refusal("[[wall]]\nkind = \"plane\"\npoint = [0, -0.5]\nnormal = [0, 1]\n" + balls), HasSubstr("ball 0 starts in contact with wall 0"));
 }
