@@ -94,8 +94,8 @@ class Live::Server {
         response.status = 400;
       } else if (*n < chunks_.size()) {
         response.set_content(chunks_[*n], "application/octet-stream");
-      } else {
-        response.status = result_.empty() ? 204 : 410;
+      } else if (result_.empty()) {
+        response.status = 204;
       }
     });
     http_.Get("/result", [this](const Request&, Response& response) {

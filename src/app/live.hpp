@@ -15,7 +15,7 @@ namespace carom::app {
 
 /// Answers on 127.0.0.1 and nowhere else, to GET of
 ///   /         the page, with the scene and the balls at the start
-///   /chunk?N  chunk N of the log (include/carom/write/replay_log.hpp); 204: not yet; 410: there are no more
+///   /chunk?N  chunk N of the log (include/carom/write/replay_log.hpp); 204: not yet; empty: there are no more
 ///   /result   the summary, once the run has ended
 /// and to nothing else: it reads no files.
 class Live {

@@ -24,9 +24,10 @@ export async function streamInto(app) {
       document.getElementById('subtitle').textContent += ' · the program has ended';
       return;
     }
-    if (answer.status === 200) {
+    const bytes = answer.status === 200 ? new Uint8Array(await answer.arrayBuffer()) : null;
+    if (bytes?.length > 0) {
       const first = app.log.events === 0;
-      app.log.append(new Uint8Array(await answer.arrayBuffer()));
+      app.log.append(bytes);
       ++chunk;
       app.replay.end = app.endOfRun();
       if (first) {
@@ -36,7 +37,7 @@ export async function streamInto(app) {
         app.play(true);
       }
       again();
-    } else if (answer.status === 410) {
+    } else if (bytes) {
       app.result = await (await fetch('result')).json();
       again(true);
       return;
