@@ -36,12 +36,13 @@ export async function withPage(address, options, f) {
   const profile = mkdtempSync(join(tmpdir(), 'carom-chromium-'));
   const context = await chromium.launchPersistentContext(profile, {executablePath: chromiumPath, headless: true, args: ARGUMENTS, ...options});
   try {
+    context.setDefaultTimeout(120000); // a busy machine is no failure
     const page = context.pages()[0] ?? (await context.newPage());
     const problems = [];
     page.on('console', (message) => ['error', 'warning'].includes(message.type()) && !/GPU stall|swiftshader/i.test(message.text()) && problems.push(message.text()));
     page.on('pageerror', (error) => problems.push(error.message));
     await page.goto(address.includes('://') ? address : 'file://' + address);
-    await page.waitForFunction(() => window.carom?.drawn, null, {timeout: 60000});
+    await page.waitForFunction(() => window.carom?.drawn);
     await f(page, problems);
   } finally {
     await context.close();

@@ -164,7 +164,7 @@ test('a run is watched while it goes, from this machine alone', async (t) => {
   const [address] = /http:\/\/127\.0\.0\.1:\d+\//.exec(first);
   try {
     await withPage(address, desktop, async (page, problems) => {
-      await page.waitForFunction(() => window.carom.events === 20000 && window.carom.time > 0, null, {timeout: 60000});
+      await page.waitForFunction(() => window.carom.events === 20000 && window.carom.time > 0);
       await page.waitForFunction(() => document.getElementById('subtitle').textContent.endsWith('20\u202f000 events'));
       assert.ok(Math.abs(await gapAt(page, 20000)) < 1e-6 || Number.isNaN(await gapAt(page, 20000)));
       assert.equal((await fetch(address + 'etc/passwd')).status, 404);
