@@ -134,6 +134,23 @@ TEST(ExtremeSpeeds, slow_is_as_good_as_at_rest) {
   }
 }
 
+// Balls of masses up to 10^20 apart that fall through a periodic space side by side, hardly moving against each other: they
+// cross it up to 24 500 times each, and not once more for what the light ones might gain from the heavy ones.
+TEST(ExtremeSpeeds, falling_together_ends) {
+  for (const double g : {-9.81, 0.25}) {
+    Scene scene = open_space(1);
+    scene.space.kind = SpaceKind::periodic;
+    scene.space.lower = {0.0};
+    scene.space.upper = {8.0};
+    scene.motion.acceleration = {g};
+    scene.balls = {ball({5.3}, {2.2e-4}, 0.007, 7.4e-11), ball({7.1}, {2.3e-10}, 0.23, 4.2e9), ball({0.08}, {-6.4e-5}, 0.005, 0.18)};
+    const Result result = watched_run(scene, {.until = 200.0});
+    EXPECT_EQ(result.stop, Stop::until);
+    EXPECT_TRUE(result.log.empty()) << "they drift by 0.05, and have 0.7";
+    EXPECT_NEAR(result.balls[1].unwrapped_position[0], 7.1 + 2.3e-10 * 200 + g * 2e4, 1e-9);
+  }
+}
+
 // Dissipation slows a ball down for ever: its squares underflow in the end, and nothing breaks.
 TEST(ExtremeSpeeds, dying_away) {
   Scene scene = open_space(1);
