@@ -11,6 +11,7 @@
 #include "carom/core/error.hpp"
 #include "carom/observe/course.hpp"
 #include "carom/observe/observers.hpp"
+#include "carom/observe/samplers.hpp"
 #include "carom/sim/simulation.hpp"
 #include "carom/write/replay_log.hpp"
 #include "carom/write/run_report.hpp"
@@ -76,6 +77,7 @@ class Viewing {
         steps_(std::move(steps)),
         simulation_(scene_),
         observers_(scene_, simulation_),
+        samplers_(scene_, simulation_),
         page_(path, *page_parts(), scene_.dimension),
         log_(scene_, simulation_, [this](std::string chunk) { take(std::move(chunk)); }) {
     if (steps_) course_.emplace(scene_, simulation_);
@@ -91,11 +93,13 @@ class Viewing {
     watchers.interrupt = &interrupt_.flag();
     watchers.slice = [&] { progress.show(simulation_); };
     watchers.collision = [this](const Collision& c) { add(c); };
+    if (samplers_.any()) watchers.samplers = &samplers_;
     run_to_the_end(simulation_, scene_.run, watchers);
     log_.flush();
     report_.seconds = progress.seconds();
     observers_.end(simulation_);
     report_.observed = observers_.estimates();
+    for (Estimate& e : samplers_.estimates()) report_.observed.push_back(std::move(e));
     report_.summary = simulation_.summary();
     if (steps_ && !interrupted()) {
       const ViewSteps film = make_view_steps(scene_, *steps_, *course_, simulation_.time(), event_of_, interrupt_.flag());
@@ -106,6 +110,7 @@ class Viewing {
 
   void finish(Json tables) {
     if (const auto speeds = observers_.speed_table()) tables.push_back(table_of(*speeds));
+    for (const Table& table : samplers_.tables()) tables.push_back(table_of(table));
     page_.json(
         "result",
         {{"summary", summary_object(report_)}, {"cut", cut_ ? Json(options_.most) : Json(nullptr)}, {"tables", tables}});
@@ -144,6 +149,7 @@ class Viewing {
   std::optional<PlannedRow> steps_;
   Simulation simulation_;
   Observers observers_;
+  Samplers samplers_;
   ViewPage page_;
   ReplayLog log_;
   std::optional<Course> course_;

@@ -79,6 +79,16 @@ Json table_of(const std::vector<SpeedBin>& speeds) {
             {{"label", "Maxwell"}, {"values", maxwell}}}}};
 }
 
+Json table_of(const Table& table) {
+  Json j{{"name", table.name}, {"columns", Json::array()}};
+  for (std::size_t k = 0; k < table.columns.size(); ++k) {
+    std::vector<double> values;
+    for (const std::vector<double>& row : table.rows) values.push_back(row[k]);
+    j["columns"].push_back({{"label", table.columns[k]}, {"values", values}});
+  }
+  return j;
+}
+
 Json tables_in(const std::string& folder) {
   std::vector<fs::path> files;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))

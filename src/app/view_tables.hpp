@@ -5,11 +5,13 @@
 #include <vector>
 
 #include "carom/observe/speed_histogram.hpp"
+#include "carom/observe/table.hpp"
 #include "write/json_text.hpp"
 
 namespace carom::app {
 
 [[nodiscard]] Json table_of(const std::vector<SpeedBin>& speeds);
+[[nodiscard]] Json table_of(const Table& table);
 
 /// Those among the *.csv of a folder that are tables of numbers: a header, then at most `longest_table` lines. Logs and
 /// trajectories are none.

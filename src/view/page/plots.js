@@ -73,10 +73,16 @@ export class Plots {
       {note: h.sampled ? 'from a share of the flights' : '', zero: true, xLabel: 'speed', speed: true});
   }
 
+  /** A measured table: over its first column, or the middles of its bins; errors and bare counts are left to the file. */
   table(table) {
-    const [x, ...others] = table.columns;
-    this.show('table-' + table.name, table.title ?? table.name, `${others.map((c) => c.label).join(', ')} over ${x.label}`, [x.values, ...others.map((c) => c.values)],
-      others.map((c, k) => ({label: c.label, stroke: ['accent', 'ball1', 'ball2', 'impulse'][k % 4], points: x.values.length < 60})), {note: '', xLabel: x.label, speed: true});
+    const [first, second] = table.columns, binned = first.label === 'from' && second.label === 'to';
+    const x = binned ? first.values.map((v, k) => (v + second.values[k]) / 2) : first.values;
+    const others = table.columns.slice(1).filter((c) => !/^(to|share|samples|count)$|error/.test(c.label)).slice(0, 4);
+    if (others.length === 0 || !x.every((v, k) => k === 0 || v > x[k - 1])) return;
+    const label = binned ? 'the middle of the bin' : first.label;
+    this.show('table-' + table.name, table.name.replace(/^observe\./, '').replaceAll('_', ' '), `measured: ${others.map((c) => c.label).join(', ')} over ${label}`,
+      [x, ...others.map((c) => c.values)],
+      others.map((c, k) => ({label: c.label, stroke: ['accent', 'ball1', 'ball2', 'impulse'][k], points: x.length < 60})), {note: '', xLabel: label, speed: true});
   }
 
   colour(name) {
