@@ -157,6 +157,7 @@ TEST(RunOutput, of_curves_does_not_overwrite_another_file) {
   const auto o = carom(folder, {"run", "a.toml"});
   EXPECT_EQ(o.status, 2);
   EXPECT_THAT(o.err, HasSubstr("output.events is mean_squared_displacement.csv"));
+}
 
 TEST(RunOutput, that_outgrows_its_disk_never_looks_whole) {
   const Folder folder;
