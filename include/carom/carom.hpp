@@ -1,6 +1,7 @@
 #pragma once
-// All of the library: scenes, from files or code; simulations; what they measured; files of results.
+// All of the library: scenes, from files or code; simulations; what they measured; proofs; files of results.
 
+#include "carom/certify/certify.hpp"
 #include "carom/core/error.hpp"
 #include "carom/core/number.hpp"
 #include "carom/scene/read.hpp"

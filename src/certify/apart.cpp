@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 
 namespace carom::certify {
 
@@ -56,7 +57,9 @@ void Apart::order_on_a_line() {
     const bool last = k + 1 == n;
     if (last && (!system_.period || n < 2)) break;
     const std::uint32_t i = order[k], j = order[last ? 0 : k + 1];
-    const auto period = static_cast<std::int64_t>(turns[i] - turns[j]) + (last ? 1 : 0);
+    const boost::multiprecision::cpp_int between = turns[i] - turns[j];
+    if (abs(between) > std::int64_t(most_turns)) throw std::invalid_argument("balls start too many periods from each other");
+    const auto period = static_cast<std::int64_t>(between) + (last ? 1 : 0);
     right_of_[i] = Neighbour{j, period};
     left_of_[j] = Neighbour{i, -period};
   }

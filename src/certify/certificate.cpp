@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "carom/core/precision.hpp"
+
 namespace carom::certify {
 
 namespace {
@@ -70,6 +72,8 @@ CertificateReader::CertificateReader(std::istream& in) : in_(in) {
   const std::string digits = line_of(in_), prefix = "# digits ";
   if (!digits.starts_with(prefix)) throw std::invalid_argument("the certificate does not say in how many digits it was made");
   digits_ = whole<int>(digits.substr(prefix.size()));
+  if (digits_ < Precision::least_digits || digits_ > Precision::most_digits)
+    throw std::invalid_argument("the certificate was made in a number of digits that is out of range");
   if (!line_of(in_).starts_with("event,")) throw std::invalid_argument("the certificate has no table");
 }
 
