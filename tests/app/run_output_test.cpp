@@ -156,7 +156,7 @@ TEST(RunOutput, of_curves_does_not_overwrite_another_file) {
                                           "[output]\nevents = \"mean_squared_displacement.csv\"\n"));
   const auto o = carom(folder, {"run", "a.toml"});
   EXPECT_EQ(o.status, 2);
-  EXPECT_THAT(o.err, HasSubstr("output.events is mean_squared_displacement.csv"));
+  EXPECT_THAT(o.err, HasSubstr("the table of observe.mean_squared_displacement is \"mean_squared_displacement.csv\" (output.events is written there)"));
 }
 
 TEST(RunOutput, that_outgrows_its_disk_never_looks_whole) {

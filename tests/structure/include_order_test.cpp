@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 const std::map<std::string, int> step{{"core", 0},   {"solve", 1},   {"scene", 2},       {"motion", 3},  {"shape", 3},
                                       {"law", 3},    {"world", 4},   {"predict", 5},     {"queue", 6},   {"search", 6},
                                       {"sim", 7},    {"prepare", 8}, {"game_engine", 8}, {"observe", 9}, {"certify", 10},
-                                      {"write", 11}, {"carom", 11}, {"app", 12}};
+                                      {"write", 11}, {"carom", 11}, {"view", 12},        {"app", 13}};
 
 bool may_include(const std::string& stage, const std::string& included) {
   return stage == included || (step.contains(included) && step.at(included) < step.at(stage));
