@@ -15,7 +15,9 @@ import tempfile
 
 EXAMPLES = pathlib.Path(__file__).parents[2] / "examples"
 MOST = 1000
-EVENTS = {"gas_in_a_box": 8000, "gas_periodic": 4000, "polygon_table": 2000, "bouncing_ball": 100, "three_disks": 1000}
+EVENTS = {"gas_in_a_box": 8000, "gas_periodic": 1000, "polygon_table": 2000, "bouncing_ball": 100}
+FEW = 100  # balls, for the tangent map
+SKIP = {"hard_sphere_fluid"}  # thousands of balls
 
 
 def run(carom, *words):
@@ -26,19 +28,19 @@ def main():
     carom, names, status = sys.argv[1], sys.argv[2:], 0
     print("scene,events,digits,lost,tangent,off,different,seconds,remark")
     for folder in sorted(EXAMPLES.iterdir()):
-        if not (folder / "scene.toml").exists() or (names and folder.name not in names):
+        if not (folder / "scene.toml").exists() or folder.name in SKIP or (names and folder.name not in names):
             continue
         scene, events = str(folder / "scene.toml"), str(EVENTS.get(folder.name, MOST))
         with tempfile.TemporaryDirectory() as out:
             proof = run(carom, "certify", scene, "--events", events, "--out", out, "--json")
-        remark = proof.stderr.strip().splitlines()[-1].replace(scene, "").replace(",", ";") if proof.stderr else ""
+        remark = proof.stderr.strip().splitlines()[-1].replace(scene, "").split(" (")[0].lstrip(":0123456789 ").replace(",", ";") if proof.stderr else ""
         if not proof.stdout:
             print(f"{folder.name},,,,,,,,{remark}", flush=True)
             continue
         report = json.loads(proof.stdout)
         status |= report["verdict"] == "refuted"
         tangent = ""
-        if report["events"] > 0:
+        if report["events"] > 0 and len(report["final"]) <= FEW:
             check = run(carom, "check", scene, "--events", str(report["events"]), "--audits", "1", "--horizon", "100000", "--json")
             if check.stdout:
                 growth = (json.loads(check.stdout)["horizon"] or {}).get("digits_per_collision")
