@@ -1,11 +1,13 @@
 // Proofs of scenes whose truth is known: from closed forms, and from runs in many more digits.
 
 #include <sstream>
+#include <tuple>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "carom/core/error.hpp"
+#include "carom/core/multi.hpp"
 #include "carom/core/rational.hpp"
 #include "certify/scenes.hpp"
 
@@ -60,18 +62,20 @@ TEST(Prove, photon_of_the_hundred_digit_challenge) {
   EXPECT_GT(square(&Bounds::lower), below * below);
 }
 
-// 31 and 3141 collisions; at M / m = 100^n the last velocities are -V cos 2 k theta and 10^n V |sin 2 k theta|
-// with theta = arctan 10^-n, k = ceil(count / 2). The values are from reference arithmetic in 25 digits.
+// At a mass ratio of 100^n there are floor(10^n pi) collisions, and the last velocities are
+//   u = -cos 2 k theta,   |v| = 10^n |sin 2 k theta|,   theta = arctan 10^-n,   k = ceil(count / 2)   [Galperin2003].
 TEST(Prove, galperin_counts_the_digits_of_pi) {
-  const Report r = proven(scene_of(galperin("100")));
-  EXPECT_EQ(r.events, 31);
-  EXPECT_EQ(r.stopped_by, "no_events_left");
-  EXPECT_NEAR(std::stod(r.final[1].velocity[0].lower), 0.998857595563118, 1e-14);
-  EXPECT_NEAR(std::stod(r.final[0].velocity[0].upper), 0.477860208205886, 1e-14);
-  const Report more = proven(scene_of(galperin("1e6")));
-  EXPECT_EQ(more.events, 3141);
-  EXPECT_NEAR(std::stod(more.final[1].velocity[0].lower), 0.999999917460531, 1e-14);
-  EXPECT_GE(more.state_digits, 40.0) << "on a line the impact is linear: nothing is lost";
+  const PrecisionScope<Multi> scope(80);
+  const auto holds_real = [](const Bounds& b, const Multi& x) { return Multi(b.lower) <= x && x <= Multi(b.upper); };
+  for (const auto& [ratio, n, count] : {std::tuple("100", 1, 31), {"1e6", 3, 3141}, {"1e8", 4, 31415}}) {
+    const Report r = proven(scene_of(galperin(ratio)));
+    EXPECT_EQ(r.events, count);
+    EXPECT_EQ(r.stopped_by, "no_events_left");
+    EXPECT_GE(r.state_digits, 40.0) << "on a line the impact is linear: nothing is lost but rounding";
+    const Multi root = pow(Multi(10), n), angle = 2 * ((count + 1) / 2) * atan(1 / root);
+    EXPECT_TRUE(holds_real(r.final[1].velocity[0], -cos(angle))) << ratio;
+    EXPECT_TRUE(holds_real(r.final[0].velocity[0], root * abs(sin(angle)))) << ratio;
+  }
 }
 
 TEST(Prove, bounds_hold_the_truth) {
