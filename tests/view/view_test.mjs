@@ -159,7 +159,15 @@ test('a run is watched while it goes, from this machine alone', async (t) => {
   const program = spawn(carom, ['run', join(examples, 'gas_in_a_box/scene.toml'), '--set', 'gas.0.count=100', '--events', '20000', '--live', '0', '--json', '--out', file('run')]);
   let out = '';
   program.stdout.on('data', (data) => (out += data));
-  const first = await new Promise((found) => program.stderr.once('data', (data) => found(String(data))));
+  t.after(() => program.kill('SIGKILL'));
+  let said = '';
+  const first = await new Promise((found) => {
+    program.stderr.on('data', (data) => {
+      said += data;
+      if (/http:|--live/.test(said)) found(said);
+    });
+    program.on('exit', () => found(said));
+  });
   if (first.includes('--live is not part of this carom')) return t.skip(first);
   const [address] = /http:\/\/127\.0\.0\.1:\d+\//.exec(first);
   try {
