@@ -61,6 +61,9 @@ double RoundingBooks::way_since(const Ball& ball, double now, double speed_now) 
 void RoundingBooks::write(const Collision& c, const Collision::Party& party, const Collision::Party& kept) {
   const double before = length_of(party.velocity_before), after = length_of(party.velocity_after);
   const std::vector<std::uint32_t> group = balls_[party.number].group;
+  // A member's place is that of its body, and its offset added.
+  const bool joins = law_ == LawKind::stick && c.kind == EventKind::ball_ball;
+  const double place_roundings = joins || group.size() > 1 ? 2 : 1;
   double mass = 0.0, span = 0.0;  // of a body: no farther from `kept` is any of its members
   if (group.size() > 1)
     for (const std::uint32_t i : group) span += 2 * balls_[i].radius;
@@ -69,7 +72,7 @@ void RoundingBooks::write(const Collision& c, const Collision::Party& party, con
     const double way = span + way_since(ball, c.time, before);
     mass += ball.mass;
     const double square = velocity_roundings_ * after * after + (accelerated_ ? before * before : 0.0);
-    energy_ += u * ball.mass * (square + of_position(kept.position, way)) +
+    energy_ += u * ball.mass * (square + place_roundings * of_position(kept.position, way)) +
                wide_impact * ball.mass * (before * before + after * after);
     momentum_ += u * velocity_roundings_ * ball.mass * after + wide_impact * ball.mass * (before + after);
     ball.time = c.time;

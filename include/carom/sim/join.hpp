@@ -2,6 +2,7 @@
 // Bodies that go on together: law "stick" joins them, law "merge" makes one ball of two.
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -21,6 +22,7 @@ void join_bodies(World<typename M::Real, M::dimension>& world, const M& motion, 
   using Real = typename M::Real;
   constexpr int D = M::dimension;
   using Vector = typename M::Vector;
+  using std::abs;
   const auto body_at = [&](std::uint32_t k, const Vector& x) {
     const std::int32_t b = world.details[k].body;
     if (b < 0) return Body<Real, D>{world.details[k].mass, x, world.details[k].image, {k}, {Vector::Zero()}, {Turns<D>{}}};
@@ -57,8 +59,11 @@ void join_bodies(World<typename M::Real, M::dimension>& world, const M& motion, 
     row = static_cast<std::int32_t>(world.bodies.size());
     world.bodies.emplace_back();
   }
+  Real far(0);  // the offset of one from the other is rounded relative to where both have flown
+  for (int k = 0; k < D; ++k) far = std::max<Real>(far, std::max<Real>(abs(xi[k]), abs(xj[k])));
   for (const std::uint32_t m : a.members) {
     world.details[m].body = row;
+    world.details[m].reach = std::max<Real>(world.details[m].reach, far);
     world.balls[m].fixed = fixed;
   }
   world.bodies[static_cast<std::size_t>(row)] = std::move(a);

@@ -81,11 +81,16 @@ inline void write_state(World<Real, D>& world, std::uint32_t i, const Vec<Real, 
 template <class Real, int D>
 inline void write_body(World<Real, D>& world, Body<Real, D>& body, const Vec<Real, D>& v, const Time<Real>& t,
                        std::vector<std::uint32_t>& written) {
+  using std::abs;
+  Real flown_to(0);  // before it is wrapped: what its rounding is relative to
+  for (int k = 0; k < D; ++k) flown_to = std::max<Real>(flown_to, abs(body.position[k]));
   const Turns<D> turns = wrap(world.space, body.position);
   for (int k = 0; k < D; ++k) body.image[k] += turns[k];
   for (std::size_t m = 0; m < body.members.size(); ++m) {
     Turns<D> image = body.image;
     for (int k = 0; k < D; ++k) image[k] += body.shifts[m][k];
+    BallDetail<Real, D>& detail = world.details[body.members[m]];
+    detail.reach = std::max<Real>(detail.reach, flown_to);
     write_state(world, body.members[m], Vec<Real, D>(body.position + body.offsets[m]), image, v, t);
     written.push_back(body.members[m]);
   }
