@@ -61,9 +61,7 @@ double RoundingBooks::way_since(const Ball& ball, double now, double speed_now) 
 void RoundingBooks::write(const Collision& c, const Collision::Party& party, const Collision::Party& kept) {
   const double before = length_of(party.velocity_before), after = length_of(party.velocity_after);
   const std::vector<std::uint32_t> group = balls_[party.number].group;
-  // A member's place is that of its body, and its offset added.
-  const bool joins = law_ == LawKind::stick && c.kind == EventKind::ball_ball;
-  const double place_roundings = joins || group.size() > 1 ? 2 : 1;
+  const double place_roundings = group.size() > 1 ? 2 : 1;  // a member's place is that of its body, and its offset added
   double mass = 0.0, span = 0.0;  // of a body: no farther from `kept` is any of its members
   if (group.size() > 1)
     for (const std::uint32_t i : group) span += 2 * balls_[i].radius;
@@ -109,6 +107,16 @@ void RoundingBooks::unite(const Collision& c) {
 }
 
 void RoundingBooks::record(const Collision& c) {
+  if (law_ == LawKind::stick && c.kind == EventKind::ball_ball) {
+    // Who joins is placed relative to the other: what either has flown is in the rounding of all places.
+    double mass = 0.0, way = 0.0;
+    for (const auto* party : {&c.ball, &c.partner}) {
+      const Ball& ball = balls_[party->number];
+      way += way_since(ball, c.time, length_of(party->velocity_before));
+      for (const std::uint32_t i : ball.group) mass += balls_[i].mass;
+    }
+    energy_ += 2 * u * mass * of_position(c.ball.position, way);
+  }
   write(c, c.ball, c.ball);
   if (c.kind != EventKind::ball_ball) return;
   write(c, c.partner, law_ == LawKind::merge ? c.ball : c.partner);
