@@ -83,6 +83,11 @@ double TangentGrowth::curvature_radius(const Collision& c) const {
       return c.feature == 0 ? 0.0 : radius;
     case WallKind::polygon:
       return static_cast<std::size_t>(c.feature) < wall.vertices.size() ? 0.0 : radius;
+    case WallKind::arc:
+    case WallKind::ellipse:
+    case WallKind::parabola:
+    case WallKind::curve:
+      break;  // refused by name
   }
   return 0.0;
 }

@@ -178,6 +178,11 @@ void read_shape(TableReader& t, WallSpec& w) {
     case WallKind::polygon:
       t.vertices("vertices", w.vertices);
       break;
+    case WallKind::arc:
+    case WallKind::ellipse:
+    case WallKind::parabola:
+    case WallKind::curve:
+      break;  // refused by name
   }
 }
 

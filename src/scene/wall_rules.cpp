@@ -86,6 +86,11 @@ void judge_walls(Judgement& j) {
       case WallKind::polygon:
         judge_polygon(rules, w);
         break;
+      case WallKind::arc:
+      case WallKind::ellipse:
+      case WallKind::parabola:
+      case WallKind::curve:
+        break;  // refused by name
     }
     if (rules.vector("velocity", w.velocity, Presence::optional) && !is_zero(w.velocity)) {
       rules.unbuilt("wall.velocity", kind);

@@ -55,6 +55,11 @@ double clearance(const WallSpec& wall, const double* x, int dimension) {
             std::min(nearest, distance_to_segment(x, wall.vertices[i], wall.vertices[(i + 1) % wall.vertices.size()]));
       return nearest;
     }
+    case WallKind::arc:
+    case WallKind::ellipse:
+    case WallKind::parabola:
+    case WallKind::curve:
+      break;  // refused by name
   }
   return HUGE_VAL;
 }

@@ -33,6 +33,11 @@ Json wall(const WallSpec& w) {
       j = {{"kind", "polygon"}, {"vertices", Json::array()}};
       for (const Coordinates& v : w.vertices) j["vertices"].push_back(numbers(v));
       break;
+    case WallKind::arc:
+    case WallKind::ellipse:
+    case WallKind::parabola:
+    case WallKind::curve:
+      break;  // refused by name
   }
   if (!w.velocity.empty()) j["velocity"] = numbers(w.velocity);
   return j;

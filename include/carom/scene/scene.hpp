@@ -32,6 +32,8 @@ struct SpaceSpec {
 
 struct MotionSpec {
   Coordinates acceleration{};  ///< [length/time^2] uniform, on every ball that is not fixed. DEFAULT: none
+  std::optional<Number> magnetic{};  ///< [rad/time] 2-D: cyclotron frequency of every ball that is not fixed, > 0
+                                     ///< anticlockwise. DEFAULT: none
   Where where{};
 };
 
@@ -107,21 +109,68 @@ struct GasSpec {
   Where where{};
 };
 
-enum class WallKind : std::uint8_t { segment, plane, circle, polygon };
+enum class WallKind : std::uint8_t { segment, plane, circle, polygon, arc, ellipse, parabola, curve };
 enum class WallSide : std::uint8_t { inside, outside };
+
+/// A wall that swings about its place: displaced by amplitude sin(omega t + phase).
+struct OscillationSpec {
+  Coordinates amplitude{};  ///< [length]
+  Number omega = 1.0;       ///< [rad/time], > 0
+  Number phase = 0.0;       ///< [rad] DEFAULT: 0
+};
 
 /// A ball touches a wall at a distance equal to its radius.
 struct WallSpec {
   WallKind kind = WallKind::plane;
-  Coordinates from{}, to{};               ///< segment: its ends [length]
-  Coordinates point{}, normal{};          ///< plane: [length], and the side on which balls stay
-  Coordinates centre{};                 ///< circle (sphere in 3-D): [length]
-  Number radius = 1.0;                ///< circle: [length], > 0
-  WallSide side = WallSide::inside;   ///< circle: where the balls are. DEFAULT: inside
-  std::vector<Coordinates> vertices{};  ///< polygon: closed [length]
-  Coordinates velocity{};               ///< [length/time] segment and plane. DEFAULT: at rest
-  std::optional<Number> restitution{};  ///< e [-], 0..1. DEFAULT: from the materials, else [collision]
-  std::string material{};               ///< DEFAULT: none
+  Coordinates from{}, to{};              ///< segment: its ends [length]
+  Coordinates point{}, normal{};         ///< plane: [length], and the side on which balls stay
+  Coordinates centre{};                  ///< circle (sphere in 3-D), arc, ellipse, curve; parabola: its vertex [length]
+  Number radius = 1.0;                   ///< circle, arc: [length], > 0
+  WallSide side = WallSide::inside;      ///< circle, ellipse, curve: where the balls are. DEFAULT: inside
+  Number from_angle = 0.0, to_angle = 0.0;  ///< arc: [rad], anticlockwise from the one to the other; balls on both sides
+  std::vector<Number> axes{};            ///< ellipse: semi-axes [length], > 0
+  Number angle = 0.0;                    ///< ellipse, parabola, curve: turned by, anticlockwise [rad]. DEFAULT: 0
+  Number focal_length = 1.0;             ///< parabola: y^2 = 4 f x before it is turned [length], > 0; balls on both sides
+  Number half_width = 1.0;               ///< parabola: |y| at its ends [length], > 0
+  std::vector<Number> cosines{}, sines{};  ///< curve: r(theta) = sum of cosines[k] cos k theta + sines[k] sin k theta [length]
+  std::vector<Coordinates> vertices{};   ///< polygon: closed [length]
+  bool opening = false;                  ///< a gap: balls whose centre comes to it leave, and are counted. DEFAULT: false
+  Coordinates velocity{};                ///< [length/time] DEFAULT: at rest
+  std::optional<OscillationSpec> oscillation{};  ///< DEFAULT: none
+  std::optional<Number> restitution{};   ///< e [-], 0..1. DEFAULT: from the materials, else [collision]
+  std::string material{};                ///< DEFAULT: none
+  int table = -1;                        ///< the [[table]] that it is a piece of; -1: none
+  Where where{};
+};
+
+enum class TableKind : std::uint8_t {
+  rectangle, circle, ellipse, stadium, mushroom, sinai, lorentz, polygon, triangle, wedge, cardioid, pinball, annulus, cradle, pool
+};
+enum class TableLattice : std::uint8_t { triangular, square };
+
+/// A ready-made set of walls (and, for some kinds, a space): see carom/scene/tables.hpp for the pieces of each kind.
+struct TableSpec {
+  TableKind kind = TableKind::rectangle;
+  Coordinates centre{};        ///< [length] DEFAULT: the origin
+  Number angle = 0.0;          ///< turned by, anticlockwise about its centre [rad]. DEFAULT: 0; wedge: see `opening_angle`
+  Coordinates size{};          ///< rectangle, sinai, pool: width and height [length]
+  Number radius = 1.0;         ///< circle, stadium, sinai, lorentz, pinball [length], > 0
+  Number length = 1.0;         ///< stadium: of the straight parts; wedge, triangle: of a side [length]
+  std::vector<Number> axes{};  ///< ellipse: semi-axes [length]
+  Number cap_radius = 1.0, stem_width = 0.5, stem_length = 1.0;  ///< mushroom [length]
+  std::int64_t sides = 3;      ///< polygon
+  Number side = 1.0;           ///< polygon: length of a side [length]
+  std::vector<Number> lengths{};       ///< triangle: its three sides [length]
+  Number opening_angle = 1.0;  ///< wedge: between its two sides [rad]; written `angle`
+  TableLattice lattice = TableLattice::triangular;  ///< lorentz
+  Number spacing = 2.5;        ///< lorentz, pinball: of the centres [length]
+  Number inner = 0.5, outer = 1.0;  ///< annulus: radii [length]
+  Number offset = 0.0;         ///< annulus: of the inner circle's centre [length]. DEFAULT: 0
+  Number scale = 1.0;          ///< cardioid: r = scale (1 + cos theta) [length]
+  std::int64_t count = 5;      ///< cradle: balls
+  bool periodic = true;        ///< sinai: in a periodic cell, else in a box
+  std::optional<Number> restitution{};
+  std::string material{};
   Where where{};
 };
 
@@ -158,6 +207,32 @@ struct LagsSpec {
                                            ///< 10^5 balls on, so that 10^6 vectors suffice, but at least 1
 };
 
+/// Exponential growth of small displacements.
+struct LyapunovSpec {
+  std::optional<std::int64_t> exponents{};  ///< the largest so many. DEFAULT: all of a system of up to 16, else 1
+  std::optional<Number> every{};            ///< [time] between orthonormalisations. DEFAULT: chosen from the growth
+  std::optional<Number> finite_time{};      ///< [time] span of finite-time exponents. DEFAULT: not measured
+};
+/// A table that goes to a file.
+struct TableFileSpec {
+  std::string file{};  ///< DEFAULT: the key's name with ".csv"
+};
+/// Crossings of a line, from one side to the other.
+struct PoincareSpec {
+  Coordinates point{}, normal{};  ///< [length]; crossings towards the normal count
+  std::string file{};             ///< DEFAULT: "poincare.csv"
+};
+/// How many balls have not left through an opening.
+struct SurvivalSpec {
+  std::optional<Number> from{}, to{};  ///< [time] the escape rate is fitted between them. DEFAULT: the whole run
+  std::int64_t bins = 100;             ///< of the curve
+  std::string file{};                  ///< DEFAULT: "survival.csv"
+};
+/// The part of the boundary map's cells that the orbit visits.
+struct PhaseSpaceSpec {
+  std::int64_t bins = 100;  ///< along each of the two axes
+};
+
 /// What to measure; nothing is measured that is not asked for.
 struct ObserveSpec {
   std::optional<std::int64_t> after_events{};  ///< start measuring after so many collisions. DEFAULT: at once
@@ -169,6 +244,16 @@ struct ObserveSpec {
   std::optional<RadialDistributionSpec> radial_distribution{};
   std::optional<LagsSpec> mean_squared_displacement{};
   std::optional<LagsSpec> velocity_autocorrelation{};
+  std::optional<LyapunovSpec> lyapunov{};
+  std::optional<TableFileSpec> boundary_map{};
+  std::optional<PoincareSpec> poincare{};
+  std::optional<SurvivalSpec> survival{};
+  std::optional<LagsSpec> diffusion{};
+  std::optional<LagsSpec> angle_autocorrelation{};
+  bool rotation_number = false;
+  bool caustic = false;
+  std::optional<PhaseSpaceSpec> phase_space_portion{};
+  std::optional<TableFileSpec> wall_sequence{};
   Where where{};
 };
 
@@ -186,6 +271,23 @@ struct OutputSpec {
   Where where{};
 };
 
+/// One key of the scene that the runs of an ensemble differ in: listed values, or a range walked in equal steps or drawn from.
+struct VarySpec {
+  std::string key{};                     ///< dotted path, as --set takes it
+  std::vector<std::string> values{};     ///< TOML values, one a run
+  std::optional<Number> from{}, to{};    ///< a range
+  std::int64_t steps = 0;                ///< > 0: so many values from `from` to `to`, both included; 0: drawn, uniform
+  Where where{};
+};
+
+/// Many runs of one scene.
+struct EnsembleSpec {
+  std::optional<std::int64_t> count{};  ///< runs. DEFAULT: as many as the values of `vary`
+  std::uint64_t seed = 1;               ///< of what is drawn; run i draws from (seed, i). DEFAULT: 1
+  std::vector<VarySpec> vary{};
+  Where where{};
+};
+
 struct Scene {
   std::string file{};   ///< for messages; empty: made in code
   std::string title{};
@@ -199,7 +301,9 @@ struct Scene {
   std::vector<BallSpec> balls{};
   std::vector<LatticeSpec> lattices{};
   std::vector<GasSpec> gases{};
-  std::vector<WallSpec> walls{};
+  std::vector<WallSpec> walls{};    ///< those of [[wall]], then those of [[table]]
+  std::vector<TableSpec> tables{};  ///< as written; their walls are in `walls`
+  std::optional<EnsembleSpec> ensemble{};
   RunSpec run;
   EngineSpec engine;
   ObserveSpec observe;

@@ -32,6 +32,8 @@ struct Record {
   Real impulse = Real(0);                      ///< size
   Real gap = Real(0);                          ///< distance left between the surfaces: an error of rounding
   Real restitution = Real(1);
+  Real curvature = Real(0);  ///< [1/length unit] of the wall where it was hit; > 0: convex towards the ball, < 0: concave, 0: flat
+  Real arclength = Real(0);  ///< [length unit] along the wall's feature from its beginning to where it was hit
   Real dissipated = Real(0);
   Real injected = Real(0);
   bool tie = false;  ///< a party's previous collision was at the same moment with another partner

@@ -45,6 +45,8 @@ struct Collision {
   std::int32_t feature = 0;  ///< of the wall
   std::array<double, 3> normal{}, point{};
   double impulse = 0.0, gap = 0.0, restitution = 1.0, dissipated = 0.0, injected = 0.0;
+  double curvature = 0.0;  ///< [1/length] of the wall where it was hit; > 0: convex towards the ball, < 0: concave, 0: flat
+  double arclength = 0.0;  ///< [length] along the wall's feature from its beginning to where it was hit
   bool tie = false;
   const CollisionDigits* digits = nullptr;  ///< while the sink is called; none in double
 };
