@@ -102,6 +102,11 @@ class Wedge {
         for (std::size_t k = 0; k < w.vertices.size(); ++k)
           meet_segment(i, x, point_of(w.vertices[k]), point_of(w.vertices[(k + 1) % w.vertices.size()]));
         break;
+      case WallKind::arc:
+      case WallKind::ellipse:
+      case WallKind::parabola:
+      case WallKind::curve:
+        break;  // none is drawn
     }
   }
 
