@@ -21,7 +21,7 @@ constexpr double large = 1e100;  // beyond it all displacements of a run are sca
 }  // namespace
 
 TangentGrowth::TangentGrowth(const Scene& scene, const Simulation& start)
-    : scene_(scene), dimension_(scene.dimension), epoch_length_(start.epoch_length()) {
+    : dimension_(scene.dimension), epoch_length_(start.epoch_length()) {
   for (std::size_t k = 0; k < scene.motion.acceleration.size(); ++k) acceleration_[k] = scene.motion.acceleration[k];
   std::vector<std::uint32_t> moving;
   const std::vector<BallState> states = start.balls();
@@ -67,29 +67,12 @@ void TangentGrowth::fly(std::uint32_t ball, const Moment& now) {
   }
 }
 
-/// Distance of the centres at the impact: the radius of curvature of the wall that the ball's centre bounces off; 0 for a
-/// flat one, negative inside a circle.
+/// The radius of curvature of the wall that the ball's centre bounces off, or the distance of two balls' centres; 0 for a
+/// flat wall, negative for a concave one.
 double TangentGrowth::curvature_radius(const Collision& c) const {
   const double radius = balls_[c.ball.number].radius;
   if (c.kind == EventKind::ball_ball) return radius + balls_[c.partner.number].radius;
-  if (c.partner.number >= scene_.walls.size()) return 0.0;  // a face of the box
-  const WallSpec& wall = scene_.walls[c.partner.number];
-  switch (wall.kind) {
-    case WallKind::plane:
-      return 0.0;
-    case WallKind::circle:
-      return wall.side == WallSide::inside ? -(wall.radius - radius) : wall.radius + radius;
-    case WallKind::segment:
-      return c.feature == 0 ? 0.0 : radius;
-    case WallKind::polygon:
-      return static_cast<std::size_t>(c.feature) < wall.vertices.size() ? 0.0 : radius;
-    case WallKind::arc:
-    case WallKind::ellipse:
-    case WallKind::parabola:
-    case WallKind::curve:
-      break;  // refused by name
-  }
-  return 0.0;
+  return c.curvature == 0 ? 0.0 : 1 / c.curvature + radius;
 }
 
 void TangentGrowth::impact(const Collision& c, std::size_t vector) {

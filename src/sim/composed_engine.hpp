@@ -405,6 +405,8 @@ class ComposedEngine final : public Simulation::Engine {
       }
       c.impulse = near(r.impulse, u.momentum());
       c.gap = near(r.gap, u.length);
+      c.curvature = near(r.curvature, -u.length);
+      c.arclength = near(r.arclength, u.length);
       c.restitution = static_cast<double>(r.restitution);
       c.dissipated = near(r.dissipated, u.energy());
       c.injected = near(r.injected, u.energy());

@@ -127,8 +127,9 @@ Vec<double, D> flown_to(const Flight<D>& flight, const Time<double>& t) {
 template <int D>
 void send(SwarmRun<D>& run, const Event<double, D>& event, const Impact<double, D>& impact, const Outcome<double, D>& outcome,
           double gap, std::uint32_t a, bool hit_a, const Time<double>& before_a, std::uint32_t b, bool hit_b,
-          const Time<double>& before_b) {
+          const Time<double>& before_b, const Face<double, D>* face = nullptr) {
   Record<double, D> record = record_of(event, impact, outcome, gap, false);
+  if (face != nullptr) fill_place(record, *face, vector<D>(run.swarm.flights[a].x), event.side);
   fill(record.ball, run, a, hit_a, before_a);
   record.partner.number = event.partner;
   if (event.kind == EventKind::ball_ball) fill(record.partner, run, b, hit_b, before_b);
@@ -206,7 +207,7 @@ bool collide_with_face(SwarmRun<D>& run, std::uint32_t i, const Face<double, D>&
     event.ball = run.swarm.number[i];
     event.partner = wall;
     event.feature = face.feature;
-    send(run, event, impact, outcome, gap, i, hit, before.time(), i, false, before.time());
+    send(run, event, impact, outcome, gap, i, hit, before.time(), i, false, before.time(), &face);
   }
   for (int k = 0; k < D; ++k)
     if (!(outcome.va[k] - outcome.va[k] == 0)) run.verdict = Halt::non_finite;

@@ -181,6 +181,7 @@ class WorldBuilder {
         face.axis = k;
         face.sign = sign;
         face.coordinate = sign > 0 ? world_.space.lower[k] : upper_[k];
+        if constexpr (D == 2) face.begin = (k == 1) == (sign > 0) ? world_.space.lower[1 - k] : upper_[1 - k];
         walls.faces.push_back(face);
         walls.labels.push_back(std::string(1, "xyz"[k]) + (sign > 0 ? "-" : "+"));
         surfaces_.push_back({scene_.space.material, scene_.space.restitution});

@@ -59,6 +59,14 @@ namespace carom::testing {
   return w;
 }
 
+[[nodiscard]] inline WallSpec segment(Coordinates from, Coordinates to) {
+  WallSpec w;
+  w.kind = WallKind::segment;
+  w.from = std::move(from);
+  w.to = std::move(to);
+  return w;
+}
+
 [[nodiscard]] inline WallSpec circle(Coordinates centre, double radius, WallSide side) {
   WallSpec w;
   w.kind = WallKind::circle;

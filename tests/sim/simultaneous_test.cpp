@@ -177,11 +177,11 @@ TEST(Symmetric, pinned_ball_leaves_along_the_gap) {
 
 TEST(Symmetric, point_at_rest_on_a_vertex) {
   Scene scene = open_space(2);
-  WallSpec segment;
-  segment.kind = WallKind::segment;
-  segment.from = {0.0, 0.0};
-  segment.to = {2.0, 0.0};
-  scene.walls = {segment};
+  WallSpec edge;
+  edge.kind = WallKind::segment;
+  edge.from = {0.0, 0.0};
+  edge.to = {2.0, 0.0};
+  scene.walls = {edge};
   scene.balls = {ball({0.0, 0.0}, {0.0, 0.0}, 0.0), ball({0.0, 3.0}, {0.0, -1.0}), ball({-4.0, 0.0}, {1.0, 0.0})};
   const Result r = run_until(symmetric(scene), 10.0);
   EXPECT_GT(r.log.size(), 0u);

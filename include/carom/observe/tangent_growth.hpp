@@ -48,7 +48,6 @@ class TangentGrowth {
   void rescale();
   [[nodiscard]] Displacement& at(std::size_t vector, std::uint32_t ball) { return displacements_[vector * balls_.size() + ball]; }
 
-  Scene scene_;
   int dimension_;
   double epoch_length_;
   Vector acceleration_{};

@@ -19,6 +19,12 @@ struct Plane {
 
   [[nodiscard]] Real gap(const Vec<Real, D>& x) const { return dot<Real, D>(direction, x - point); }
   [[nodiscard]] Vec<Real, D> normal(const Vec<Real, D>&) const { return direction; }
+  [[nodiscard]] Real curvature(const Vec<Real, D>&, std::int8_t) const { return Real(0); }
+  /// [length unit] in 2-D, from `point`, for who walks with the balls to his left; 0 in other dimensions.
+  [[nodiscard]] Real arclength(const Vec<Real, D>& x) const {
+    if constexpr (D != 2) return Real(0);
+    else return direction[1] * (x[0] - point[0]) - direction[0] * (x[1] - point[1]);
+  }
 };
 
 }  // namespace carom

@@ -30,6 +30,9 @@ struct Segment {
   }
   /// Towards the left; the side that a ball is on is part of its contact.
   [[nodiscard]] Vec<Real, 2> normal(const Vec<Real, 2>&) const { return direction; }
+  [[nodiscard]] Real curvature(const Vec<Real, 2>&, std::int8_t) const { return Real(0); }
+  /// [length unit] from `from`.
+  [[nodiscard]] Real arclength(const Vec<Real, 2>& x) const { return dot<Real, 2>(along, x - from); }
 };
 
 }  // namespace carom

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "carom/core/angle.hpp"
 #include "carom/core/id.hpp"
 #include "carom/core/vec.hpp"
 
@@ -27,6 +28,16 @@ struct Sphere {
   [[nodiscard]] Vec<Real, D> normal(const Vec<Real, D>& x) const {
     const Vec<Real, D> r = x - centre;
     return inside ? Vec<Real, D>(-r) : r;
+  }
+  /// [1/length unit] < 0 inside; infinite at a vertex.
+  [[nodiscard]] Real curvature(const Vec<Real, D>&, std::int8_t) const {
+    if (!(radius > 0)) return infinity<Real>();
+    return inside ? Real(-1 / radius) : Real(1 / radius);
+  }
+  /// [length unit] in 2-D, from angle 0, anticlockwise; 0 in other dimensions. Not among what decides events.
+  [[nodiscard]] Real arclength(const Vec<Real, D>& x) const {
+    if constexpr (D != 2) return Real(0);
+    else return radius * angle_of<Real>(Vec<Real, D>(x - centre));
   }
 };
 

@@ -114,6 +114,7 @@ Verdict Collider<M>::count_together(WorldType& world, const Together<Real, D>& a
     record.partner.velocity_before = c.impact.vb;
     record.partner.velocity_after = share.vb;
     record.point = all.members[c.a].position - record.normal * world.balls[event.ball].radius;
+    if (!pair) note_place(world, event, all.members[c.a].position, record);
     sink(record);
   }
   if (!finite(share.va) || !finite(share.vb))

@@ -210,6 +210,7 @@ class Collider {
       record.partner.number = event.partner;
       record.partner.velocity_before = record.partner.velocity_after = impact.vb;
       record.point = world.balls[i].position - record.normal * world.balls[i].radius;
+      note_place(world, event, x, record);
       sink(record);
     }
     if (!finite(outcome.va)) return stop(Verdict::non_finite, "a velocity is no longer a finite number", {i});
@@ -220,6 +221,12 @@ class Collider {
                   {i});
     if (M::can_rest && support == Support::corner && again) return Verdict::go_on;  // bounces on one wall end in rest
     return watch_contact(world, impact, now, {i}, outcome.impulse, support);
+  }
+
+  static void note_place(const WorldType& world, const Event<Real, D>& event, const Vector& x, Record<Real, D>& record) {
+    world.walls.with(event.partner, event.feature, [&](const auto& shape) {
+      fill_place(record, shape, Vector(x - wall_drift(world, shape, event.time)), event.side);
+    });
   }
 
   /// Ball i goes on from x with velocity v: on the wall that it rests on, if v keeps it there.

@@ -41,4 +41,11 @@ void fill_party(RecordParty<Real, D>& party, const World<Real, D>& world, std::u
   party.previous_hit = before;
 }
 
+/// Where on the wall it was: `at` is the centre of the ball in the frame of the wall, `side` the side that it came from.
+template <class Real, int D, class Shape>
+void fill_place(Record<Real, D>& record, const Shape& shape, const Vec<Real, D>& at, std::int8_t side) {
+  record.curvature = shape.curvature(at, side);
+  record.arclength = shape.arclength(at);
+}
+
 }  // namespace carom
