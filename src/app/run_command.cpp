@@ -60,6 +60,7 @@ RunReport carry_out(Simulation& simulation, const Scene& scene, Observers& obser
   for (Estimate& e : samplers.estimates()) report.observed.push_back(std::move(e));
   auto file = outputs.tables().begin();
   for (const Table& table : samplers.tables()) (file++)->write(table);
+  for (const Table& table : observers.tables()) (file++)->write(table);
   if (SpeedHistogramCsv* speeds = outputs.speeds()) speeds->write(*observers.speed_table());
   report.summary = simulation.summary();
   return report;

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "carom/core/error.hpp"
+#include "carom/observe/observers.hpp"
 #include "carom/observe/samplers.hpp"
 #include "output_folder.hpp"
 
@@ -71,6 +72,7 @@ RunOutputs::RunOutputs(const Scene& scene, const std::string& folder, const Simu
   std::vector<std::pair<std::string, std::string>> tables;  // name, path
   for (const std::string& name : observed_tables(scene.observe))
     tables.emplace_back(name, placed(name + ".csv", "the table of observe." + name));
+  for (const std::string& name : final_tables(scene.observe)) tables.emplace_back(name, placed(name + ".csv", "a table of [observe]"));
   const std::string speeds =
       scene.observe.speed_histogram ? placed("speed_histogram.csv", "the table of observe.speed_histogram") : "";
 

@@ -28,7 +28,7 @@ class RunOutputs {
   [[nodiscard]] EventsCsv* events() { return events_ ? &*events_ : nullptr; }
   [[nodiscard]] SpeedHistogramCsv* speeds() { return speeds_ ? &*speeds_ : nullptr; }
 
-  /// Those of `observed_tables`, in their order.
+  /// Those of `observed_tables`, then those of `final_tables`, in their order.
   [[nodiscard]] std::list<TableCsv>& tables() { return tables_; }
 
   [[nodiscard]] bool wants_frames() const { return trajectory_ || ledger_; }

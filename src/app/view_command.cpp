@@ -111,6 +111,7 @@ class Viewing {
   void finish(Json tables) {
     if (const auto speeds = observers_.speed_table()) tables.push_back(table_of(*speeds));
     for (const Table& table : samplers_.tables()) tables.push_back(table_of(table));
+    for (const Table& table : observers_.tables()) tables.push_back(table_of(table));
     page_.json(
         "result",
         {{"summary", summary_object(report_)}, {"cut", cut_ ? Json(options_.most) : Json(nullptr)}, {"tables", tables}});

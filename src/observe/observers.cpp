@@ -1,7 +1,6 @@
 #include "carom/observe/observers.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -11,6 +10,7 @@ namespace carom {
 
 static_assert(Observer<CollisionRate> && Observer<WallPressure> && Observer<VirialPressure>);
 static_assert(FlightObserver<FreePath> && FlightObserver<SpeedHistogram>);
+static_assert(Observer<Lyapunov>);
 
 namespace {
 
@@ -23,75 +23,81 @@ std::string no_virial(const Subject& s) {
 }
 
 /// Whether anything is to be measured.
-bool asks(const ObserveSpec& o) { return o.collision_rate || o.mean_free_path || o.pressure || o.speed_histogram; }
+bool asks(const ObserveSpec& o) {
+  return o.collision_rate || o.mean_free_path || o.pressure || o.speed_histogram || o.lyapunov;
+}
 
 }  // namespace
 
-std::vector<Observers::Kind> Observers::kinds_for(const Scene& scene, const Subject& subject) {
-  const ObserveSpec& asked = scene.observe;
-  ObserveJudgement judgement(scene);
-  std::vector<Kind> kinds;
-  if (asks(asked) && subject.free == 0)
-    judgement.refuse("*", "no ball has a finite mass, so none ever changes its velocity", "Add a ball that is not fixed");
-  const auto has_flights = [&](const char* key) {
-    if (scene.collision.law == LawKind::restitution) return true;
-    judgement.refuse(key, "balls that stick or merge do not go on as they were",
-                     "Only collision_rate is measured with law \"stick\" and \"merge\"");
-    return false;
-  };
-  if (asked.collision_rate) kinds.push_back(Kind::collision_rate);
-  if (asked.mean_free_path && has_flights("mean_free_path")) kinds.push_back(Kind::free_path);
-  if (asked.pressure && has_flights("pressure")) {
-    const std::string why = no_virial(subject);
-    if (subject.space == SpaceKind::open) {
-      judgement.refuse("pressure", "an open space has no volume", "Give [space] kind \"periodic\" or \"box\"");
-    } else if (why.empty()) {
-      kinds.push_back(Kind::virial_pressure);
-    } else if (subject.space == SpaceKind::periodic) {
-      judgement.refuse("pressure", why, "In a box, the pressure on the faces can be measured");
-    }
-    if (subject.space == SpaceKind::box) kinds.push_back(Kind::wall_pressure);
+class Observers::Plan {
+ public:
+  Plan(const Scene& scene, const Subject& subject) : scene_(scene), subject_(subject), judgement_(scene) {
+    const ObserveSpec& asked = scene.observe;
+    if (asks(asked) && subject.free == 0)
+      judgement_.refuse("*", "no ball has a finite mass, so none ever changes its velocity", "Add a ball that is not fixed");
+    if (asked.collision_rate) add<CollisionRate>();
+    if (asked.mean_free_path && has_flights("mean_free_path")) add<FreePath>();
+    if (asked.pressure && has_flights("pressure")) pressure();
+    if (asked.speed_histogram && has_flights("speed_histogram")) add<SpeedHistogram>();
+    if (asked.lyapunov && has_flights("lyapunov")) lyapunov();
+    judgement_.throw_if_any();
   }
-  if (asked.speed_histogram && has_flights("speed_histogram")) kinds.push_back(Kind::speed_histogram);
-  judgement.throw_if_any();
-  return kinds;
-}
 
-Observers::AnyObserver Observers::make(Kind kind, const Subject& subject) {
-  switch (kind) {
-    case Kind::collision_rate:
-      return CollisionRate(subject);
-    case Kind::free_path:
-      return FreePath(subject);
-    case Kind::virial_pressure:
-      return VirialPressure(subject);
-    case Kind::wall_pressure:
-      return WallPressure(subject);
-    case Kind::speed_histogram:
-      break;
+  std::vector<Maker> makers;
+
+ private:
+  template <class O>
+  void add() {
+    makers.push_back([](const Subject& s) { return AnyObserver(O(s)); });
   }
-  return SpeedHistogram(subject);
-}
+
+  bool has_flights(const char* key) {
+    if (scene_.collision.law == LawKind::restitution) return true;
+    judgement_.refuse(key, "balls that stick or merge do not go on as they were",
+                      "Only collision_rate is measured with law \"stick\" and \"merge\"");
+    return false;
+  }
+
+  void pressure() {
+    const std::string why = no_virial(subject_);
+    if (subject_.space == SpaceKind::open) {
+      judgement_.refuse("pressure", "an open space has no volume", "Give [space] kind \"periodic\" or \"box\"");
+    } else if (why.empty()) {
+      add<VirialPressure>();
+    } else if (subject_.space == SpaceKind::periodic) {
+      judgement_.refuse("pressure", why, "In a box, the pressure on the faces can be measured");
+    }
+    if (subject_.space == SpaceKind::box) add<WallPressure>();
+  }
+
+  void lyapunov() {
+    const CollisionSpec& c = scene_.collision;
+    if (c.regularise != Regularise::stop || c.simultaneous != Simultaneous::sequential)
+      judgement_.refuse("lyapunov", "the tangent map knows impacts of two parties at a constant restitution",
+                        "Leave out collision.regularise and collision.simultaneous");
+    makers.push_back([spec = *scene_.observe.lyapunov, scene = scene_](const Subject& s) {
+      return AnyObserver(Lyapunov(spec, scene, s));
+    });
+  }
+
+  const Scene& scene_;
+  const Subject& subject_;
+  ObserveJudgement judgement_;
+};
 
 Observers::Observers(const Scene& scene, const Simulation& simulation)
-    : flights_(asks(scene.observe) ? subject_of(scene, simulation) : Subject{}, Time<double>{}),
-      kinds_(kinds_for(scene, flights_.subject())),
+    : flights_(asks(scene.observe) ? subject_of(scene, simulation) : Subject{}),
+      makers_(Plan(scene, flights_.subject()).makers),
       after_events_(scene.observe.after_events),
       seen_(simulation.counts().collisions()) {
   if (!any()) return;
-  const Time<double> start = moment(simulation.time());
-  flights_.begin(start);
+  const Time<double> start = flights_.subject().moment;
   after_ = last_ = start;
   if (scene.observe.after_time) after_ = std::max(after_, moment(*scene.observe.after_time));
   if (after_ == start && after_events_.value_or(0) <= seen_) begin(start);
 }
 
-Time<double> Observers::moment(double t) const {
-  const double epochs = t / flights_.subject().epoch_length;  // a power of two: exact
-  if (!(std::abs(epochs) < static_cast<double>(last_epoch))) return Time<double>::never();
-  const double whole = std::floor(epochs);
-  return {static_cast<std::int64_t>(whole), epochs - whole};
-}
+Time<double> Observers::moment(double t) const { return moment_of(t, flights_.subject().epoch_length); }
 
 CollisionSink Observers::sink() {
   if (!any()) return {};
@@ -101,7 +107,8 @@ CollisionSink Observers::sink() {
 void Observers::begin(const Time<double>& t) {
   began_ = t;
   flights_.begin(t);
-  for (const Kind kind : kinds_) observers_.push_back(make(kind, flights_.subject()));
+  observers_.reserve(makers_.size());
+  for (const Maker& make : makers_) observers_.push_back(make(flights_.subject()));
 }
 
 void Observers::collision(const Collision& c) {
@@ -151,7 +158,7 @@ Estimates Observers::estimates() const {
   if (began_) {
     for (const AnyObserver& any : observers_) append(any);
   } else {
-    for (const Kind kind : kinds_) append(make(kind, flights_.subject()));
+    for (const Maker& make : makers_) append(make(flights_.subject()));
   }
   return all;
 }
@@ -159,8 +166,36 @@ Estimates Observers::estimates() const {
 std::optional<std::vector<SpeedBin>> Observers::speed_table() const {
   for (const AnyObserver& any : observers_)
     if (const auto* histogram = std::get_if<SpeedHistogram>(&any)) return histogram->table();
-  if (std::find(kinds_.begin(), kinds_.end(), Kind::speed_histogram) != kinds_.end()) return std::vector<SpeedBin>{};
+  if (began_) return std::nullopt;
+  for (const Maker& make : makers_)
+    if (std::holds_alternative<SpeedHistogram>(make(flights_.subject()))) return std::vector<SpeedBin>{};
   return std::nullopt;
+}
+
+std::vector<Table> Observers::tables() const {
+  std::vector<Table> all;
+  const auto append = [&](const AnyObserver& any) {
+    std::visit(
+        [&](const auto& o) {
+          if constexpr (std::is_same_v<std::remove_cvref_t<decltype(o)>, Lyapunov>)
+            if (const std::optional<Table> table = o.table()) all.push_back(*table);
+        },
+        any);
+  };
+  for (const AnyObserver& any : observers_) append(any);
+  if (!began_)
+    for (const Maker& make : makers_) append(make(flights_.subject()));
+  return all;
+}
+
+void Observers::stream(const std::string& name, RowSink sink) {
+  if (const auto outlet = outlets_.find(name); outlet != outlets_.end()) outlet->second->lead_to(std::move(sink));
+}
+
+std::vector<std::string> final_tables(const ObserveSpec& observe) {
+  std::vector<std::string> names;
+  if (observe.lyapunov && observe.lyapunov->finite_time) names.emplace_back("lyapunov_finite_time");
+  return names;
 }
 
 }  // namespace carom

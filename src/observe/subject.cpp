@@ -26,6 +26,13 @@ bool Subject::has_obstacles() const {
   return walls > 0 || std::any_of(mass.begin(), mass.end(), [](double m) { return std::isinf(m); });
 }
 
+Time<double> moment_of(double t, double epoch_length) {
+  const double epochs = t / epoch_length;  // a power of two: exact
+  if (!(std::abs(epochs) < static_cast<double>(last_epoch))) return Time<double>::never();
+  const double whole = std::floor(epochs);
+  return {static_cast<std::int64_t>(whole), epochs - whole};
+}
+
 Subject subject_of(const Scene& scene, const Simulation& simulation) {
   Subject s;
   s.dimension = scene.dimension;
@@ -40,17 +47,21 @@ Subject subject_of(const Scene& scene, const Simulation& simulation) {
       s.edge[axis] = set_by_gas > 0 ? set_by_gas : scene.space.upper[axis] - scene.space.lower[axis];
     if (!scene.motion.acceleration.empty()) s.acceleration[axis] = scene.motion.acceleration[axis];
   }
+  if (scene.motion.magnetic) s.magnetic = *scene.motion.magnetic;
+  s.moment = moment_of(simulation.time(), s.epoch_length);
   const std::uint32_t faces = s.space == SpaceKind::box ? 2 * static_cast<std::uint32_t>(s.dimension) : 0;
   s.walls = simulation.wall_count() - faces;
   const std::uint32_t count = simulation.ball_count();
   s.mass.resize(count, 0.0);
   s.radius.resize(count, 0.0);
+  s.position.resize(count);
   s.velocity.resize(count);
   for (std::uint32_t i = 0; i < count; ++i) {
     if (!simulation.alive(i)) continue;
     const Glimpse ball = simulation.glimpse(i);
     s.mass[i] = ball.mass;
     s.radius[i] = ball.radius;
+    s.position[i] = ball.position;
     s.velocity[i] = ball.velocity;
     if (std::isfinite(ball.mass)) ++s.free;
   }

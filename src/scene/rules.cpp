@@ -156,51 +156,6 @@ void judge_run(Judgement& j) {
   if (r.sample_every) rules.positive("sample_every", *r.sample_every, "the time between frames is above 0");
 }
 
-void judge_every(TableRules& rules, const std::optional<Number>& every) {
-  if (every) rules.positive("every", *every, "the time between samples is above 0");
-}
-
-void judge_count(TableRules& rules, std::string_view key, std::int64_t n, std::int64_t least, std::int64_t most) {
-  if (n < least || n > most)
-    rules.found(key, " is " + std::to_string(n),
-                "it is a number from " + std::to_string(least) + " to " + std::to_string(most));
-}
-
-void judge_lags(Judgement& j, const char* key, const std::optional<LagsSpec>& l) {
-  if (!l) return;
-  TableRules rules(j, {"observe", key}, j.scene.observe.where);
-  judge_every(rules, l->every);
-  judge_count(rules, "lags", l->lags, 2, 100'000);
-  if (l->origins) judge_count(rules, "origins", *l->origins, 1, 1000);
-}
-
-void judge_observe(Judgement& j) {
-  const ObserveSpec& o = j.scene.observe;
-  TableRules rules(j, {"observe"}, o.where);
-  if (o.after_events || o.after_time) rules.unbuilt("observe.after");
-  if (o.pressure) rules.unbuilt("observe.pressure");
-  if (o.collision_rate) rules.unbuilt("observe.collision_rate");
-  if (o.mean_free_path) rules.unbuilt("observe.mean_free_path");
-  if (o.speed_histogram) rules.unbuilt("observe.speed_histogram");
-
-  if (const auto& r = o.radial_distribution) {
-    TableRules inner(j, {"observe", "radial_distribution"}, o.where);
-    judge_every(inner, r->every);
-    if (r->r_max) inner.positive("r_max", *r->r_max, "it is the largest distance of two centres");
-    judge_count(inner, "bins", r->bins, 1, 100'000);
-  }
-  judge_lags(j, "mean_squared_displacement", o.mean_squared_displacement);
-  judge_lags(j, "velocity_autocorrelation", o.velocity_autocorrelation);
-
-  if (o.after_events && o.after_time)
-    rules.found("after", " has events and time", "measuring starts once", "Give one of them");
-  TableRules after(j, {"observe", "after"}, o.where);
-  if (o.after_time) after.finite("time", *o.after_time);
-  if (o.after_events && *o.after_events < 0) {
-    after.found("events", " is " + std::to_string(*o.after_events), "a number of collisions is 0 or more");
-  }
-}
-
 void judge_output(Judgement& j) {
   const OutputSpec& o = j.scene.output;
   TableRules rules(j, {"output"}, o.where);

@@ -70,5 +70,6 @@ void judge_balls(Judgement& judgement);
 void judge_lattices(Judgement& judgement);
 void judge_gases(Judgement& judgement);
 void judge_walls(Judgement& judgement);
+void judge_observe(Judgement& judgement);
 
 }  // namespace carom::scene_text

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "observe_reader.hpp"
 #include "unbuilt.hpp"
 
 namespace carom::scene_text {
@@ -223,51 +224,6 @@ EngineSpec read_engine(TableReader t) {
   t.flag("vectors", e.vectors);
   t.finish();
   return e;
-}
-
-void read_settings(TableReader& t, RadialDistributionSpec& r) {
-  t.number("every", r.every);
-  t.number("r_max", r.r_max);
-  t.integer("bins", r.bins);
-}
-void read_settings(TableReader& t, LagsSpec& l) {
-  t.number("every", l.every);
-  t.integer("lags", l.lags);
-  t.integer("origins", l.origins);
-}
-
-// `key = true` asks with all defaults, a table with others.
-template <class Spec>
-void read_asked(TableReader& t, std::string_view key, std::optional<Spec>& to) {
-  const toml::node* node = t.source().get(key);
-  if (node != nullptr && node->is_table()) {
-    TableReader inner = *t.table(key);
-    read_settings(inner, to.emplace());
-    inner.finish();
-  } else {
-    bool asked = false;
-    t.flag(key, asked);
-    if (asked) to.emplace();
-  }
-}
-
-ObserveSpec read_observe(TableReader t) {
-  ObserveSpec o;
-  o.where = t.where();
-  if (std::optional<TableReader> after = t.table("after")) {
-    after->integer("events", o.after_events);
-    after->number("time", o.after_time);
-    after->finish();
-  }
-  t.flag("pressure", o.pressure);
-  t.flag("collision_rate", o.collision_rate);
-  t.flag("mean_free_path", o.mean_free_path);
-  t.flag("speed_histogram", o.speed_histogram);
-  read_asked(t, "radial_distribution", o.radial_distribution);
-  read_asked(t, "mean_squared_displacement", o.mean_squared_displacement);
-  read_asked(t, "velocity_autocorrelation", o.velocity_autocorrelation);
-  t.finish();
-  return o;
 }
 
 OutputSpec read_output(TableReader t) {

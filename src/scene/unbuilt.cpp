@@ -31,7 +31,6 @@ constexpr std::array unbuilt{
     Unbuilt{"wall.velocity", "circle"},
     Unbuilt{"wall.velocity", "polygon"},
     Unbuilt{"table"},
-    Unbuilt{"observe.lyapunov"},
     Unbuilt{"observe.boundary_map"},
     Unbuilt{"observe.poincare"},
     Unbuilt{"observe.survival"},

@@ -47,6 +47,14 @@ Json exactness(const ExactnessSummary& e) {
           {"repredicted", e.repredicted}};
 }
 
+/// The place of one level of a name: a key, or the element of a list where it ends in [index].
+Json& step(Json& place, const std::string& level) {
+  const std::size_t bracket = level.find('[');
+  if (bracket == std::string::npos || level.back() != ']') return place[level];
+  Json& list = place[level.substr(0, bracket)];
+  return list[static_cast<Json::size_type>(std::stoul(level.substr(bracket + 1)))];
+}
+
 /// A dot in a name goes one level down.
 Json observed(const Estimates& estimates) {
   Json tree = Json::object();
@@ -54,10 +62,10 @@ Json observed(const Estimates& estimates) {
     Json* place = &tree;
     std::size_t from = 0;
     for (std::size_t dot = e.name.find('.'); dot != std::string::npos; dot = e.name.find('.', from)) {
-      place = &(*place)[e.name.substr(from, dot - from)];
+      place = &step(*place, e.name.substr(from, dot - from));
       from = dot + 1;
     }
-    (*place)[e.name.substr(from)] = {{"value", e.value}, {"error", e.error}};
+    step(*place, e.name.substr(from)) = {{"value", e.value}, {"error", e.error}};
   }
   return tree;
 }

@@ -7,7 +7,8 @@
 
 namespace carom {
 
-/// The part of a flight that was measured: v(s) = velocity + s acceleration, 0 <= s <= duration.
+/// The part of a flight that was measured, 0 <= s <= duration: v(s) = velocity + s acceleration, or velocity turned by
+/// s magnetic.
 struct Flight {
   std::uint32_t ball = 0;
   double mass = 1.0;
@@ -17,6 +18,8 @@ struct Flight {
   double end = 0.0;       ///< [time] since measuring began
   double duration = 0.0;  ///< end - begin, rounded once
   bool hit = true;        ///< it ended in a collision; false: measuring ended
+  double magnetic = 0.0;  ///< [rad/time] rate at which the velocity turns; then there is no acceleration
+  Triple departure{}, arrival{};  ///< [length] where it begins and ends, not wrapped
 
   /// Length of the path, to a few ulp:
   ///   (1/g) int sqrt(q^2 + w^2) dw,  w from w0 to w0 + g t,

@@ -10,20 +10,23 @@
 
 namespace carom {
 
-/// Keeps the subject's velocities and masses up to date, and hands out the flights that end. Laws that join balls to bodies
+/// Keeps the subject's places, velocities and masses up to date, and hands out the flights that end. Laws that join balls to bodies
 /// of several change velocities that no record tells of: then flights are wrong.
 class Flights {
  public:
-  Flights(Subject subject, const Time<double>& start)
-      : subject_(std::move(subject)), from_(subject_.mass.size(), start), measured_from_(start) {}
+  /// From the subject's moment on.
+  explicit Flights(Subject subject)
+      : subject_(std::move(subject)), from_(subject_.mass.size(), subject_.moment), measured_from_(subject_.moment) {}
 
   [[nodiscard]] const Subject& subject() const noexcept { return subject_; }
 
-  /// Measuring begins: flights under way are cut there, and the subject's velocities are those at `t`.
+  /// Measuring begins: flights under way are cut there, and the subject's places and velocities are those at `t`.
   void begin(const Time<double>& t) {
-    measured_from_ = t;
+    measured_from_ = subject_.moment = t;
     for (std::uint32_t i = 0; i < from_.size(); ++i) {
-      subject_.velocity[i] = velocity_at(i, t);
+      const Course now = course_at(i, t);
+      subject_.position[i] = now.position;
+      subject_.velocity[i] = now.velocity;
       from_[i] = t;
     }
   }
@@ -31,15 +34,16 @@ class Flights {
   /// The collision's parties end their flights: f(flight) for each that moves freely.
   template <class F>
   void end_by(const Collision& c, const Time<double>& now, F&& f) const {
-    if (subject_.moves_freely(c.ball.number)) f(flight(c.ball.number, now, true));
-    if (c.kind == EventKind::ball_ball && subject_.moves_freely(c.partner.number)) f(flight(c.partner.number, now, true));
+    if (subject_.moves_freely(c.ball.number)) f(flight(c.ball.number, now, place(c.ball), true));
+    if (c.kind == EventKind::ball_ball && subject_.moves_freely(c.partner.number))
+      f(flight(c.partner.number, now, place(c.partner), true));
   }
 
   /// Measuring ends: f(flight) for every ball that moves freely.
   template <class F>
   void end(const Time<double>& now, F&& f) const {
     for (std::uint32_t i = 0; i < from_.size(); ++i)
-      if (subject_.moves_freely(i)) f(flight(i, now, false));
+      if (subject_.moves_freely(i)) f(flight(i, now, course_at(i, now).position, false));
   }
 
   /// The parties go on as the collision has left them.
@@ -49,8 +53,12 @@ class Flights {
   [[nodiscard]] double elapsed_time(const Time<double>& a, const Time<double>& b) const {
     return elapsed(a, b) * subject_.epoch_length;
   }
-  [[nodiscard]] Triple velocity_at(std::uint32_t i, const Time<double>& t) const;
-  [[nodiscard]] Flight flight(std::uint32_t i, const Time<double>& now, bool hit) const;
+  struct Course {
+    Triple position, velocity;
+  };
+  [[nodiscard]] Course course_at(std::uint32_t i, const Time<double>& t) const;
+  [[nodiscard]] Triple place(const Collision::Party& party) const;
+  [[nodiscard]] Flight flight(std::uint32_t i, const Time<double>& now, const Triple& to, bool hit) const;
 
   Subject subject_;
   std::vector<Time<double>> from_;  // by ball: when it took on subject_.velocity

@@ -13,8 +13,7 @@ namespace carom {
 /// Is made when measuring begins, from the subject as it is then; is told of every collision, at `t` since measuring began
 /// and with the subject as it was before it, and of the end; yields estimates.
 template <class O>
-concept Observer = std::constructible_from<O, const Subject&> &&
-    requires(O o, const O& done, const Collision& c, double t, const Subject& subject) {
+concept Observer = requires(O o, const O& done, const Collision& c, double t, const Subject& subject) {
   o.collision(c, t, subject);
   o.end(t);
   { done.estimates() } -> std::same_as<Estimates>;

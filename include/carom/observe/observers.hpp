@@ -1,7 +1,11 @@
 #pragma once
 // What [observe] asks for: measures while a simulation runs.
 
+#include <functional>
+#include <map>
+#include <memory>
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -9,6 +13,8 @@
 #include "carom/observe/estimate.hpp"
 #include "carom/observe/flights.hpp"
 #include "carom/observe/free_path.hpp"
+#include "carom/observe/lyapunov.hpp"
+#include "carom/observe/row_outlet.hpp"
 #include "carom/observe/speed_histogram.hpp"
 #include "carom/observe/virial_pressure.hpp"
 #include "carom/observe/wall_pressure.hpp"
@@ -27,7 +33,10 @@ class Observers {
   Observers& operator=(const Observers&) = delete;
 
   /// Whether anything is asked for.
-  [[nodiscard]] bool any() const noexcept { return !kinds_.empty(); }
+  [[nodiscard]] bool any() const noexcept { return !makers_.empty(); }
+
+  /// From now on the rows of `streamed_tables` that has this name go to `sink`; before, and without one, they are lost.
+  void stream(const std::string& name, RowSink sink);
 
   /// Empty, so that no record is made, if nothing is asked for. Must not outlive this object.
   [[nodiscard]] CollisionSink sink();
@@ -43,19 +52,24 @@ class Observers {
   /// After `end`; none: not asked for. Empty if measuring never started.
   [[nodiscard]] std::optional<std::vector<SpeedBin>> speed_table() const;
 
- private:
-  using AnyObserver = std::variant<CollisionRate, FreePath, VirialPressure, WallPressure, SpeedHistogram>;
-  enum class Kind : std::uint8_t { collision_rate, free_path, virial_pressure, wall_pressure, speed_histogram };
+  /// After `end`: one for each of `final_tables`, in their order. Without rows if measuring never started.
+  [[nodiscard]] std::vector<Table> tables() const;
 
-  [[nodiscard]] static std::vector<Kind> kinds_for(const Scene& scene, const Subject& subject);
-  [[nodiscard]] static AnyObserver make(Kind kind, const Subject& subject);
+ private:
+  using AnyObserver = std::variant<CollisionRate, FreePath, VirialPressure, WallPressure, SpeedHistogram, Lyapunov>;
+  using Maker = std::function<AnyObserver(const Subject&)>;  // when measuring begins
+
+  /// What the scene asks for, and what has no meaning in it.
+  class Plan;
+
   [[nodiscard]] Time<double> moment(double t) const;
   void begin(const Time<double>& t);
   void measure(const Collision& c, const Time<double>& now);
   void tell(const Flight& flight);
 
   Flights flights_;
-  std::vector<Kind> kinds_;
+  std::map<std::string, std::unique_ptr<RowOutlet>> outlets_;  // by name; observers hold on to them
+  std::vector<Maker> makers_;
   std::optional<std::int64_t> after_events_;
   std::int64_t seen_;   // collisions so far
   Time<double> after_;  // no earlier than the start
@@ -63,5 +77,8 @@ class Observers {
   std::optional<Time<double>> began_;
   std::vector<AnyObserver> observers_;  // made when measuring begins
 };
+
+/// The names of the tables that Observers give at the end.
+[[nodiscard]] std::vector<std::string> final_tables(const ObserveSpec& observe);
 
 }  // namespace carom
