@@ -1,6 +1,7 @@
 #include "run_command.hpp"
 
 #include <cmath>
+#include <span>
 
 #include <fmt/core.h>
 
@@ -40,6 +41,11 @@ RunReport carry_out(Simulation& simulation, const Scene& scene, Observers& obser
   };
   if (samplers.any()) watchers.samplers = &samplers;
   watchers.collision = observers.sink();
+  for (RunOutputs::Stream& stream : outputs.streams())
+    observers.stream(stream.name, [&file = stream.file, &interrupt](std::span<const double> row) {
+      file.row(row);
+      if (file.failed()) interrupt.flag() = true;
+    });
   if (EventsCsv* log = outputs.events())
     watchers.collision = [log, &interrupt, &observers](const Collision& collision) {
       observers.collision(collision);

@@ -73,6 +73,8 @@ RunOutputs::RunOutputs(const Scene& scene, const std::string& folder, const Simu
   for (const std::string& name : observed_tables(scene.observe))
     tables.emplace_back(name, placed(name + ".csv", "the table of observe." + name));
   for (const std::string& name : final_tables(scene.observe)) tables.emplace_back(name, placed(name + ".csv", "a table of [observe]"));
+  std::vector<StreamedTable> streamed = streamed_tables(scene);
+  for (StreamedTable& table : streamed) table.file = placed(table.file, "the table of observe." + table.name);
   const std::string speeds =
       scene.observe.speed_histogram ? placed("speed_histogram.csv", "the table of observe.speed_histogram") : "";
 
@@ -82,6 +84,7 @@ RunOutputs::RunOutputs(const Scene& scene, const std::string& folder, const Simu
   if (!trajectory.empty()) trajectory_ = begin_trajectory(trajectory, head, provenance);
   if (!ledger.empty()) ledger_.emplace(ledger, head);
   for (const auto& [name, path] : tables) tables_.emplace_back(path, simulation, scene.title, name);
+  for (const StreamedTable& table : streamed) streams_.emplace_back(table, simulation, scene.title);
   if (!speeds.empty()) speeds_.emplace(speeds, simulation, scene.title);
 }
 
@@ -110,6 +113,7 @@ std::string RunOutputs::finish(const Summary& summary) {
   if (ledger_) end(*ledger_, summary.stopped_by);
   if (speeds_) end(*speeds_, summary.stopped_by);
   for (TableCsv& table : tables_) end(table, summary.stopped_by);
+  for (Stream& stream : streams_) end(stream.file, summary.stopped_by);
   return problems;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "carom/observe/row_outlet.hpp"
 #include "carom/scene/scene.hpp"
 #include "carom/sim/simulation.hpp"
 #include "carom/write/events_csv.hpp"
@@ -31,6 +32,17 @@ class RunOutputs {
   /// Those of `observed_tables`, then those of `final_tables`, in their order.
   [[nodiscard]] std::list<TableCsv>& tables() { return tables_; }
 
+  /// Those of `streamed_tables`, with the names of their columns written.
+  struct Stream {
+    Stream(const StreamedTable& table, const Simulation& simulation, const std::string& title)
+        : name(table.name), file(table.file, simulation, title, name) {
+      file.names(table.columns);
+    }
+    std::string name;
+    TableCsv file;
+  };
+  [[nodiscard]] std::list<Stream>& streams() { return streams_; }
+
   [[nodiscard]] bool wants_frames() const { return trajectory_ || ledger_; }
   /// The balls as they are now.
   void frame(const Simulation& simulation);
@@ -50,6 +62,7 @@ class RunOutputs {
   std::optional<LedgerCsv> ledger_;
   std::optional<SpeedHistogramCsv> speeds_;
   std::list<TableCsv> tables_;
+  std::list<Stream> streams_;
   std::vector<std::string> written_;
 };
 

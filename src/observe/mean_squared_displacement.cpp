@@ -26,7 +26,7 @@ Estimates MeanSquaredDisplacement::estimates() const {
     }
     return above / below / curve_.step() / (2 * dimension_);
   };
-  return {curve_.estimate("mean_squared_displacement.diffusion", diffusion)};
+  return {curve_.estimate(as_ == Named::diffusion ? "diffusion.coefficient" : "mean_squared_displacement.diffusion", diffusion)};
 }
 
 }  // namespace carom

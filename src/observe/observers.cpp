@@ -10,7 +10,8 @@ namespace carom {
 
 static_assert(Observer<CollisionRate> && Observer<WallPressure> && Observer<VirialPressure>);
 static_assert(FlightObserver<FreePath> && FlightObserver<SpeedHistogram>);
-static_assert(Observer<Lyapunov>);
+static_assert(Observer<Lyapunov> && Observer<BoundaryMap> && Observer<RotationNumber> && Observer<Caustic> &&
+              Observer<PhaseSpacePortion> && Observer<WallSequence> && FlightObserver<Poincare>);
 
 namespace {
 
@@ -24,14 +25,16 @@ std::string no_virial(const Subject& s) {
 
 /// Whether anything is to be measured.
 bool asks(const ObserveSpec& o) {
-  return o.collision_rate || o.mean_free_path || o.pressure || o.speed_histogram || o.lyapunov;
+  return o.collision_rate || o.mean_free_path || o.pressure || o.speed_histogram || o.lyapunov || o.boundary_map ||
+         o.poincare || o.rotation_number || o.caustic || o.phase_space_portion || o.wall_sequence;
 }
 
 }  // namespace
 
 class Observers::Plan {
  public:
-  Plan(const Scene& scene, const Subject& subject) : scene_(scene), subject_(subject), judgement_(scene) {
+  Plan(const Scene& scene, const Simulation& simulation, const Subject& subject)
+      : scene_(scene), subject_(subject), judgement_(scene) {
     const ObserveSpec& asked = scene.observe;
     if (asks(asked) && subject.free == 0)
       judgement_.refuse("*", "no ball has a finite mass, so none ever changes its velocity", "Add a ball that is not fixed");
@@ -40,10 +43,14 @@ class Observers::Plan {
     if (asked.pressure && has_flights("pressure")) pressure();
     if (asked.speed_histogram && has_flights("speed_histogram")) add<SpeedHistogram>();
     if (asked.lyapunov && has_flights("lyapunov")) lyapunov();
+    if (asked.caustic && has_flights("caustic")) caustic();
+    if (asked.poincare && has_flights("poincare")) poincare(*asked.poincare);
+    on_the_boundary(simulation);
     judgement_.throw_if_any();
   }
 
   std::vector<Maker> makers;
+  Outlets outlets;
 
  private:
   template <class O>
@@ -80,6 +87,48 @@ class Observers::Plan {
     });
   }
 
+  void caustic() {
+    if (refused("caustic", Caustic::refusal(scene_, subject_), "It is known in circles about one centre and in an ellipse")) return;
+    makers.push_back([scene = scene_](const Subject& s) { return AnyObserver(Caustic(scene, s)); });
+  }
+
+  void poincare(const PoincareSpec& spec) {
+    if (refused("poincare", Poincare::refusal(spec, subject_), "Choose another line")) return;
+    makers.push_back([spec, rows = outlet("poincare")](const Subject& s) { return AnyObserver(Poincare(spec, *rows, s)); });
+  }
+
+  void on_the_boundary(const Simulation& simulation) {
+    const ObserveSpec& asked = scene_.observe;
+    std::shared_ptr<const Boundary> boundary;
+    const auto has_boundary = [&](bool wanted, const char* key) {
+      if (!wanted || !has_flights(key)) return false;
+      if (refused(key, Boundary::refusal(scene_, subject_), "Give walls of finite length, or fixed balls")) return false;
+      if (!boundary) boundary = std::make_shared<const Boundary>(scene_, simulation);
+      return true;
+    };
+    if (has_boundary(asked.boundary_map.has_value(), "boundary_map"))
+      makers.push_back([boundary, rows = outlet("boundary_map")](const Subject&) {
+        return AnyObserver(BoundaryMap(boundary, *rows));
+      });
+    if (has_boundary(asked.rotation_number, "rotation_number"))
+      makers.push_back([boundary](const Subject& s) { return AnyObserver(RotationNumber(boundary, s)); });
+    if (has_boundary(asked.phase_space_portion.has_value(), "phase_space_portion"))
+      makers.push_back([boundary, bins = asked.phase_space_portion->bins](const Subject&) {
+        return AnyObserver(PhaseSpacePortion(boundary, static_cast<std::size_t>(bins)));
+      });
+    if (has_boundary(asked.wall_sequence.has_value(), "wall_sequence"))
+      makers.push_back([boundary, rows = outlet("wall_sequence")](const Subject& s) {
+        return AnyObserver(WallSequence(boundary, *rows, s));
+      });
+  }
+
+  bool refused(const char* key, const std::string& why, const char* hint) {
+    if (!why.empty()) judgement_.refuse(key, why, hint);
+    return !why.empty();
+  }
+
+  const RowOutlet* outlet(const char* name) { return (outlets[name] = std::make_unique<RowOutlet>()).get(); }
+
   const Scene& scene_;
   const Subject& subject_;
   ObserveJudgement judgement_;
@@ -87,9 +136,11 @@ class Observers::Plan {
 
 Observers::Observers(const Scene& scene, const Simulation& simulation)
     : flights_(asks(scene.observe) ? subject_of(scene, simulation) : Subject{}),
-      makers_(Plan(scene, flights_.subject()).makers),
       after_events_(scene.observe.after_events),
       seen_(simulation.counts().collisions()) {
+  Plan plan(scene, simulation, flights_.subject());
+  outlets_ = std::move(plan.outlets);
+  makers_ = std::move(plan.makers);
   if (!any()) return;
   const Time<double> start = flights_.subject().moment;
   after_ = last_ = start;
@@ -190,6 +241,18 @@ std::vector<Table> Observers::tables() const {
 
 void Observers::stream(const std::string& name, RowSink sink) {
   if (const auto outlet = outlets_.find(name); outlet != outlets_.end()) outlet->second->lead_to(std::move(sink));
+}
+
+std::vector<StreamedTable> streamed_tables(const Scene& scene) {
+  const ObserveSpec& o = scene.observe;
+  std::vector<StreamedTable> list;
+  const auto add = [&](const char* name, const std::string& file, std::vector<std::string> columns) {
+    list.push_back({name, file.empty() ? std::string(name) + ".csv" : file, std::move(columns)});
+  };
+  if (o.boundary_map) add("boundary_map", o.boundary_map->file, BoundaryMap::columns());
+  if (o.poincare) add("poincare", o.poincare->file, Poincare::columns());
+  if (o.wall_sequence) add("wall_sequence", o.wall_sequence->file, WallSequence::columns());
+  return list;
 }
 
 std::vector<std::string> final_tables(const ObserveSpec& observe) {

@@ -120,6 +120,17 @@ Samplers::Samplers(const Scene& scene, const Simulation& simulation) : after_eve
     const auto lags = static_cast<std::size_t>(v->lags);
     samplers_.push_back({VelocityAutocorrelation(d, lags, settle.origins(*v), every), every});
   }
+  if (const auto& a = asked.angle_autocorrelation) {
+    const double every = settle.every("angle_autocorrelation", a->every, between_velocities);
+    const auto lags = static_cast<std::size_t>(a->lags);
+    samplers_.push_back({AngleAutocorrelation(lags, settle.origins(*a), every), every});
+  }
+  if (const auto& m = asked.diffusion) {
+    const double every = settle.every("diffusion", m->every, between_displacements);
+    const auto lags = static_cast<std::size_t>(m->lags);
+    const auto named = MeanSquaredDisplacement::Named::diffusion;
+    samplers_.push_back({MeanSquaredDisplacement(d, lags, settle.origins(*m), every, named), every});
+  }
   settle.judgement.throw_if_any();
 }
 
@@ -186,6 +197,8 @@ std::vector<std::string> observed_tables(const ObserveSpec& observe) {
   if (observe.radial_distribution) names.emplace_back("radial_distribution");
   if (observe.mean_squared_displacement) names.emplace_back("mean_squared_displacement");
   if (observe.velocity_autocorrelation) names.emplace_back("velocity_autocorrelation");
+  if (observe.angle_autocorrelation) names.emplace_back("angle_autocorrelation");
+  if (observe.diffusion) names.emplace_back("diffusion");
   return names;
 }
 

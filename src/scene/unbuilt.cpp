@@ -31,10 +31,7 @@ constexpr std::array unbuilt{
     Unbuilt{"wall.velocity", "circle"},
     Unbuilt{"wall.velocity", "polygon"},
     Unbuilt{"table"},
-    Unbuilt{"observe.boundary_map"},
-    Unbuilt{"observe.poincare"},
     Unbuilt{"observe.survival"},
-    Unbuilt{"observe.diffusion"},
     Unbuilt{"ensemble"},
 };
 

@@ -19,16 +19,23 @@ TableCsv::TableCsv(std::string path, const Simulation& simulation, const std::st
 }
 
 void TableCsv::write(const Table& table) {
+  names(table.columns);
+  for (const std::vector<double>& numbers : table.rows) row(numbers);
+}
+
+void TableCsv::names(const std::vector<std::string>& columns) {
   std::string& line = file_.line();
-  for (std::size_t k = 0; k < table.columns.size(); ++k) line += (k > 0 ? "," : "") + table.columns[k];
+  for (std::size_t k = 0; k < columns.size(); ++k) line += (k > 0 ? "," : "") + columns[k];
   file_.end_line();
-  for (const std::vector<double>& row : table.rows) {
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      if (k > 0) line += ',';
-      if (std::isfinite(row[k])) append_number(line, row[k]);
-    }
-    file_.end_line();
+}
+
+void TableCsv::row(std::span<const double> row) {
+  std::string& line = file_.line();
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    if (k > 0) line += ',';
+    if (std::isfinite(row[k])) append_number(line, row[k]);
   }
+  file_.end_line();
 }
 
 void TableCsv::finish(Stop stopped_by) {

@@ -9,15 +9,21 @@
 #include <variant>
 #include <vector>
 
+#include "carom/observe/boundary_map.hpp"
+#include "carom/observe/caustic.hpp"
 #include "carom/observe/collision_rate.hpp"
 #include "carom/observe/estimate.hpp"
 #include "carom/observe/flights.hpp"
 #include "carom/observe/free_path.hpp"
 #include "carom/observe/lyapunov.hpp"
+#include "carom/observe/phase_space_portion.hpp"
+#include "carom/observe/poincare.hpp"
+#include "carom/observe/rotation_number.hpp"
 #include "carom/observe/row_outlet.hpp"
 #include "carom/observe/speed_histogram.hpp"
 #include "carom/observe/virial_pressure.hpp"
 #include "carom/observe/wall_pressure.hpp"
+#include "carom/observe/wall_sequence.hpp"
 
 namespace carom {
 
@@ -56,7 +62,9 @@ class Observers {
   [[nodiscard]] std::vector<Table> tables() const;
 
  private:
-  using AnyObserver = std::variant<CollisionRate, FreePath, VirialPressure, WallPressure, SpeedHistogram, Lyapunov>;
+  using AnyObserver = std::variant<CollisionRate, FreePath, VirialPressure, WallPressure, SpeedHistogram, Lyapunov,
+                                   BoundaryMap, Poincare, RotationNumber, Caustic, PhaseSpacePortion, WallSequence>;
+  using Outlets = std::map<std::string, std::unique_ptr<RowOutlet>>;  // by name of the table; observers hold on to them
   using Maker = std::function<AnyObserver(const Subject&)>;  // when measuring begins
 
   /// What the scene asks for, and what has no meaning in it.
@@ -68,7 +76,7 @@ class Observers {
   void tell(const Flight& flight);
 
   Flights flights_;
-  std::map<std::string, std::unique_ptr<RowOutlet>> outlets_;  // by name; observers hold on to them
+  Outlets outlets_;
   std::vector<Maker> makers_;
   std::optional<std::int64_t> after_events_;
   std::int64_t seen_;   // collisions so far

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "carom/observe/angle_autocorrelation.hpp"
 #include "carom/observe/snapshot.hpp"
 #include "carom/observe/mean_squared_displacement.hpp"
 #include "carom/observe/radial_distribution.hpp"
@@ -45,7 +46,8 @@ class Samplers {
   [[nodiscard]] std::vector<Table> tables() const;
 
  private:
-  using AnySampler = std::variant<RadialDistribution, MeanSquaredDisplacement, VelocityAutocorrelation>;
+  using AnySampler = std::variant<RadialDistribution, MeanSquaredDisplacement, VelocityAutocorrelation,
+                                  AngleAutocorrelation>;
   struct Timed {
     AnySampler sampler;
     double every;            // [time]

@@ -1,7 +1,9 @@
 #pragma once
 // A table of what was measured, as a file.
 
+#include <span>
 #include <string>
+#include <vector>
 
 #include "carom/observe/table.hpp"
 #include "carom/sim/simulation.hpp"
@@ -16,6 +18,13 @@ class TableCsv {
   TableCsv(std::string path, const Simulation& simulation, const std::string& title, const std::string& name);
 
   void write(const Table& table);
+
+  /// The same, piece by piece.
+  void names(const std::vector<std::string>& columns);
+  void row(std::span<const double> row);
+
+  /// A write has failed: there is no use in going on.
+  [[nodiscard]] bool failed() const { return file_.failed(); }
 
   /// Ends the table. Throws OutputError if anything of it could not be written.
   void finish(Stop stopped_by);
