@@ -10,13 +10,13 @@ bool Shells<D>::lay_out(const Swarm<D>& swarm, double largest_radius, double thi
   const auto& space = swarm.rest.space;
   const double cut = 2 * largest_radius + thickness;
   periodic_ = space.periodic();
-  equal_ = swarm.species.size() == 1;
   thickness_ = thickness;
-  // Grid, float arithmetic and rounding of positions take less than 2^-7 of the thickness: the grid is 2^-10 of a cell's
-  // edge, which is below 2 cut, and the thickness at least cut / 16.
+  // Balls that can meet have centres of shells up to the sum of their radii + 2 radius_ apart. Distances are taken between
+  // points of the grid, each step of which is within 2^-10 the same: that, and the rounding of positions, take less than
+  // 2^-6 of the thickness, which is above cut / 16.
   radius_ = thickness / 2 * (1 - 0x1p-6);
-  cut_square_ = static_cast<float>(cut * cut);
   std::size_t total = 1;
+  double widest = 0;
   for (int k = 0; k < D; ++k) {
     const double n = std::floor(space.edge[k] / cut);
     if (periodic_ && n < 3) return false;
@@ -25,11 +25,20 @@ bool Shells<D>::lay_out(const Swarm<D>& swarm, double largest_radius, double thi
     total *= cells_along_[k];
     if (total > std::max<std::size_t>(8 * std::size_t{swarm.size()}, 1024)) return false;
     lower_[k] = space.lower[k];
-    period_[k] = space.edge[k];
-    per_period_[k] = 1 / space.edge[k];
-    step_[k] = space.edge[k] / cells_along_[k] / 1024;
     per_cell_[k] = cells_along_[k] / space.edge[k];
-    scale_[k] = static_cast<float>(step_[k]);
+    widest = std::max(widest, space.edge[k] / cells_along_[k]);
+  }
+  // A cell has as many steps as make a step come nearest to 2^-10 of the widest cell; within 2^-10 it is taken for that.
+  per_step_ = 1024 / widest;
+  cut_square_ = static_cast<std::int32_t>(cut * per_step_ * (cut * per_step_)) + 1;
+  for (int k = 0; k < D; ++k) {
+    const double cell = space.edge[k] / cells_along_[k];
+    steps_in_cell_[k] = static_cast<std::int32_t>(std::round(cell * per_step_));
+    step_lanes_[k] = cell / steps_in_cell_[k];
+    cell_lanes_[k] = cell;
+    lower_lanes_[k] = lower_[k] + step_lanes_[k] / 2;
+    period_lanes_[k] = space.edge[k];
+    per_period_lanes_[k] = 1 / space.edge[k];
   }
   const std::uint32_t n = swarm.size();
   slots = PageArray<Slot>(n);

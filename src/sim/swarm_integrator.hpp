@@ -240,6 +240,7 @@ class SwarmIntegrator {
       become_whole(make_world(run_.swarm));
       return;
     }
+    run_.reach = 2 * largest + 2 * thickness;
     run_.per_bucket = n < 5000 ? 12 : n < 50000 ? 64 : 256;
     run_.far_sighted = n > 3000;
     kernel_ = swarm_kernel(run_.swarm, setup_.vectors);

@@ -13,7 +13,9 @@ namespace carom {
 struct FirstMeetings {
   static constexpr std::uint32_t nobody = ~std::uint32_t{0};
 
-  double flight[3] = {never<double>(), never<double>(), never<double>()};
+  static constexpr double no_flight = 0x1p100;  ///< beyond the clock
+
+  double flight[3] = {no_flight, no_flight, no_flight};
   std::uint32_t partner[2] = {nobody, nobody};
 
   CAROM_INLINE void offer(double t, std::uint32_t j) {
@@ -33,81 +35,58 @@ struct FirstMeetings {
       flight[2] = t;
     }
   }
-
-  /// Flights that may end at one tick of the clock, so that the order of events must say which is first: ticks are 2^-53
-  /// apart, and rounding to them is monotone.
-  [[nodiscard]] CAROM_INLINE bool undecided() const {
-    constexpr double two_ticks = 0x1p-52;
-    return (flight[1] < never<double>() && !(flight[1] - flight[0] > two_ticks)) ||
-           (flight[2] < never<double>() && !(flight[2] - flight[1] > two_ticks));
-  }
 };
 
-/// The flights of one ball to its meetings with a piece of its list; `never` for those that do not meet, and behind them.
-struct MeetingTimes {
-  static constexpr std::uint32_t most = 16;
+/// Flights in order that may end at one tick of the clock, so that the order of events must say which is first: ticks are
+/// 2^-53 apart, and rounding to them is monotone. Flights that differ in their last two bits alone may be here in any order.
+[[nodiscard]] CAROM_INLINE bool undecided(double first, double second, double third) {
+  constexpr double two_ticks = 0x1p-52, last_bits = 0x1p-50, none = FirstMeetings::no_flight;
+  return ((second < none) & !(second - first > two_ticks + last_bits * second)) |
+         ((third < none) & !(third - second > two_ticks + last_bits * third));
+}
 
-  alignas(32) double flight[most];
+/// What decides whether a ball meets those in its list, for each of them, from the moment that the ball was written:
+/// |r + g t|^2 = sigma^2 in the terms of solve/quadratic.hpp.
+template <bool equal>
+struct PairTermsOfList {
+  static constexpr std::uint32_t most = 60;  ///< rows at a time
 
-  /// Offers the first two, and what is third, of flight[0 .. most) with the partners near[0 .. most).
-  CAROM_INLINE void into(FirstMeetings& all, const std::uint32_t* near) const {
-    const Lanes* const stored = reinterpret_cast<const Lanes*>(flight);
-    Lanes t0 = stored[0], t1 = stored[1], t2 = stored[2], t3 = stored[3];
-    const Lanes none = spread(never<double>());
-    for (int turn = 0; turn < 3; ++turn) {
-      const Lanes first = least_of(least(least(t0, t1), least(t2, t3)));
-      if (!(first[0] < all.flight[2])) return;
-      const int at = sign_bits(t0 == first) | sign_bits(t1 == first) << 4 | sign_bits(t2 == first) << 8 |
-                     sign_bits(t3 == first) << 12;
-      all.offer(first[0], near[__builtin_ctz(static_cast<unsigned>(at))]);
-      if ((at & (at - 1)) != 0) all.offer(first[0], FirstMeetings::nobody);  // two at once
-      t0 = t0 == first ? none : t0;
-      t1 = t1 == first ? none : t1;
-      t2 = t2 == first ? none : t2;
-      t3 = t3 == first ? none : t3;
-    }
-  }
+  alignas(32) double b[most + 4];  ///< r.g
+  alignas(32) double rr[most + 4], a[most + 4], cross[most + 4];  ///< r.r, g.g, |r x g|^2
+  alignas(32) double sigma[equal ? 4 : most + 4];                 ///< sums of the radii
+  std::uint64_t candidates;  ///< bit k: near[k] comes nearer, or touches, and does not pass by
 };
 
-/// A pair that plain arithmetic does not settle (solve/quadratic.hpp: near contact, grazing).
-template <int D>
-struct OpenPair {
-  double r[D], g[D];      ///< place and velocity of the partner relative to the ball
-  double sigma;           ///< sum of the radii
-  double bound;           ///< the flight to the meeting is at least so long
-  std::uint32_t partner;
-};
-
-/// Looks at the pairs of ball i with near[0 .. count), where no stored time is later than that of ball i; what follows them
-/// up to a multiple of four are rows too, whichever; `hit` is left out. The flights to the meetings are written; pairs that stay open are handed
-/// to open(OpenPair) and have no meeting there.
-template <int D, bool periodic, bool equal, class Open>
-CAROM_INLINE void look_at(const Swarm<D>& swarm, std::uint32_t i, const std::uint32_t* near, std::uint32_t count,
-                          std::uint32_t hit, double* flight, Open&& open) {
+/// The terms of ball i with near[0 .. count), where no stored time is later than that of ball i; what follows them up to a
+/// multiple of four (`groups` of them) are rows too, whichever. `reach` [length unit]: nobody in the list is further off than that.
+template <int D, bool periodic, bool equal>
+CAROM_INLINE void find_candidates(const Swarm<D>& swarm, std::uint32_t i, const std::uint32_t* near, std::uint32_t count,
+                                  std::uint32_t groups, double reach, PairTermsOfList<equal>& terms) {
   const Flight<D>& own = swarm.flights[i];
   const Flight<D>* const flights = swarm.flights.data();
   Lanes x[D], v[D], edge[D], per_edge[D];
   for (int k = 0; k < D; ++k) {
     edge[k] = spread(swarm.edge[k]);
-    per_edge[k] = spread(swarm.per_edge[k]);
+    per_edge[k] = spread(-swarm.per_edge[k]);
     x[k] = spread(own.x[k]);
     v[k] = spread(own.v[k]);
   }
   const LaneMask own_epoch = LaneMask{} + own.epoch;
   const Lanes own_offset = spread(own.offset);
   const double own_radius = swarm.template kind<equal>(i).radius;
-  Lanes sigma = spread(own_radius + own_radius);
-  for (std::uint32_t from = 0; from < count; from += lanes) {
-    const LaneMask place = LaneMask{0, 1, 2, 3} + static_cast<long long>(from);
-    const LaneMask partner = {near[from], near[from + 1], near[from + 2], near[from + 3]};
-    const LaneMask there = (place < static_cast<long long>(count)) & (partner != static_cast<long long>(hit));
+  // Rounding puts d off by no_root a r.r at most: what is further below 0 passes by.
+  const double doubt = 4 * detail::no_root * (reach * reach);
+  Lanes sigma = spread(own_radius + own_radius), ss = sigma * sigma;
+  Lanes touching = detail::apart * ss, wide_ss = ss + doubt;
+  std::uint64_t bits = 0;
+  for (std::uint32_t group = 0; group < groups; ++group) {
+    const std::uint32_t from = lanes * group;
     const std::uint32_t* const j = near + from;
     const double* const at[lanes] = {flights[j[0]].x, flights[j[1]].x, flights[j[2]].x, flights[j[3]].x};
     Lanes r[D], g[D];
-    Lanes c0 = load(at[0]), c1 = load(at[1]), c2 = load(at[2]), c3 = load(at[3]);
-    transpose(c0, c1, c2, c3);
-    Lanes c4 = load(at[0] + lanes), c5 = load(at[1] + lanes), c6 = load(at[2] + lanes), c7 = load(at[3] + lanes);
-    transpose(c4, c5, c6, c7);
+    Lanes c0, c1, c2, c3, c4, c5, c6, c7;
+    load_columns(at[0], at[1], at[2], at[3], c0, c1, c2, c3);
+    load_columns(at[0] + lanes, at[1] + lanes, at[2] + lanes, at[3] + lanes, c4, c5, c6, c7);
     Lanes epoch_bits, offset;
     if constexpr (D == 3) {
       r[0] = c0, r[1] = c1, r[2] = c2;
@@ -118,16 +97,17 @@ CAROM_INLINE void look_at(const Swarm<D>& swarm, std::uint32_t i, const std::uin
       g[0] = c2, g[1] = c3;
       epoch_bits = c4, offset = c5;
     }
-    if constexpr (!equal)
+    if constexpr (!equal) {
       for (int k = 0; k < lanes; ++k) sigma[k] = own_radius + swarm.kind(j[k]).radius;
-
+      ss = sigma * sigma;
+      touching = detail::apart * ss;
+      wide_ss = ss + doubt;
+      *reinterpret_cast<Lanes*>(terms.sigma + from) = sigma;
+    }
     const Lanes lag = to_double(own_epoch - __builtin_bit_cast(LaneMask, epoch_bits)) + (own_offset - offset);
     for (int k = 0; k < D; ++k) {
       r[k] = (r[k] + g[k] * lag) - x[k];
-      if constexpr (periodic) {
-        const Lanes image = nearest_integer(-r[k] * per_edge[k]);
-        r[k] = r[k] + image * edge[k];
-      }
+      if constexpr (periodic) r[k] = r[k] + nearest_integer(r[k] * per_edge[k]) * edge[k];
       g[k] = g[k] - v[k];
     }
     Lanes b = r[0] * g[0], rr = r[0] * r[0], a = g[0] * g[0];
@@ -144,31 +124,70 @@ CAROM_INLINE void look_at(const Swarm<D>& swarm, std::uint32_t i, const std::uin
       const Lanes cx = r[1] * g[2] - r[2] * g[1], cy = r[2] * g[0] - r[0] * g[2], cz = r[0] * g[1] - r[1] * g[0];
       cross = cx * cx + cy * cy + cz * cz;
     }
-    const Lanes ss = sigma * sigma, ass = a * ss, c = rr - ss, d = ass - cross;
-    const LaneMask parting = (b >= 0.0) & (rr > detail::apart * ss);
-    const LaneMask far = c > detail::near_contact * ss;
-    const LaneMask passing = far & (-d > detail::no_root * (a * rr) + detail::no_underflow);
-    const LaneMask meeting = far & (d > detail::near_grazing * ass + detail::no_underflow) & ~parting & there;
-    int left = sign_bits(there & ~(parting | passing | meeting));
-    const Lanes t = c / (sqrt(d) - b);
-    *reinterpret_cast<Lanes*>(flight + from) = meeting ? t : spread(never<double>());
-    while (left != 0) {
-      const int k = __builtin_ctz(static_cast<unsigned>(left));
-      left &= left - 1;
-      OpenPair<D> pair;
-      for (int m = 0; m < D; ++m) {
-        pair.r[m] = r[m][k];
-        pair.g[m] = g[m][k];
-      }
-      pair.sigma = sigma[k];
-      pair.partner = j[k];
-      // c / (sqrt(d) - b) with more in the place of d than rounding can have taken from it, where c is far from rounding.
-      pair.bound = c[k] > detail::near_contact * ss[k] && b[k] < 0
-                       ? 0.99 * c[k] / (__builtin_sqrt(2 * detail::near_grazing * ass[k] + detail::no_underflow) - b[k])
-                       : 0.0;
-      open(pair);
-    }
+    *reinterpret_cast<Lanes*>(terms.b + from) = b;
+    *reinterpret_cast<Lanes*>(terms.rr + from) = rr;
+    *reinterpret_cast<Lanes*>(terms.a + from) = a;
+    *reinterpret_cast<Lanes*>(terms.cross + from) = cross;
+    const LaneMask nearing = std::bit_cast<LaneMask>(b) | (rr <= touching);
+    const LaneMask hitting = cross <= a * wide_ss + detail::no_underflow;
+    bits |= static_cast<std::uint64_t>(sign_bits(nearing & hitting)) << from;
   }
+  terms.candidates = bits & ((std::uint64_t{1} << count) - 1);
+}
+
+/// The meetings of up to four candidates, in order.
+struct Meetings4 {
+  Lanes flight;     ///< those that plain arithmetic does not settle: a bound below; no_flight: none
+  LaneMask order;   ///< of flight[k] in `place` and `unsettled`
+  std::uint32_t place[lanes];  ///< which candidate
+  unsigned unsettled;          ///< bit order[k]: flight[k] is a bound
+  bool all;                    ///< false: there are more candidates
+
+  [[nodiscard]] CAROM_INLINE bool certain(int k) const { return (unsettled >> order[k] & 1) == 0; }
+  [[nodiscard]] CAROM_INLINE std::uint32_t candidate(int k) const { return place[order[k]]; }
+};
+
+/// The first four candidates. What plain arithmetic settles (solve/quadratic.hpp: neither near contact nor grazing) is settled.
+/// `sigma`: the sum of two radii, where all are equal.
+template <bool equal>
+CAROM_INLINE void meet_four(const PairTermsOfList<equal>& terms, std::uint64_t candidates, double sigma, Meetings4& m) {
+  std::uint64_t left = candidates;
+  const int n = __builtin_popcountll(left);
+  for (int k = 0; k < lanes; ++k) {
+    m.place[k] = static_cast<std::uint32_t>(__builtin_ctzll(left | std::uint64_t{1} << PairTermsOfList<equal>::most));
+    left &= left - 1;
+  }
+  m.all = left == 0;
+  const auto chosen = [&m](const double* from) {
+    return Lanes{from[m.place[0]], from[m.place[1]], from[m.place[2]], from[m.place[3]]};
+  };
+  const LaneMask there = LaneMask{0, 1, 2, 3} < LaneMask{} + static_cast<long long>(n);
+  const Lanes b = chosen(terms.b), rr = chosen(terms.rr), a = chosen(terms.a), cross = chosen(terms.cross);
+  const Lanes sum = equal ? spread(sigma) : chosen(terms.sigma);
+  const Lanes ss = sum * sum, c = rr - ss, ass = a * ss, d = ass - cross;
+  const LaneMask far = c > detail::near_contact * ss, sure = far & (d > detail::near_grazing * ass + detail::no_underflow);
+  const LaneMask coming = (b < 0.0) & there, parting = (b >= 0.0) & (rr > detail::apart * ss);
+  // c / (sqrt(d) - b); where that is in doubt with more in the place of d than rounding can have taken from it.
+  const Lanes t = c / (sqrt(sure ? d : 2 * detail::near_grazing * ass + detail::no_underflow) - b);
+  const Lanes bound = far & coming ? 0.99 * t : Lanes{};
+  const LaneMask none = parting | ~there, exact = sure & coming;
+  const Lanes flight = none ? spread(FirstMeetings::no_flight) : exact ? t : bound;
+  m.order = in_order(flight);
+  m.flight = permuted(flight, m.order);
+  m.unsettled = static_cast<unsigned>(sign_bits(~(none | exact)));
+}
+
+/// All of these flights, none beyond 2^51, after t, as `after` in core/clock.hpp; no_flight: never.
+CAROM_INLINE void after(const Time<double>& t, const Lanes& flight, LaneMask& epoch, Lanes& offset) {
+  const LaneMask ends = flight < FirstMeetings::no_flight;
+  const Lanes go = ends ? flight : Lanes{};
+  const Lanes whole = floor(go), part = go - whole, past = part + (t.offset - 1), sum = t.offset + part;
+  const LaneMask over = past >= 0.0, next = over | (sum >= 1.0);
+  const Lanes off = over ? past : next ? Lanes{} : sum, on_grid = (off + 0.5) - 0.5;
+  offset = off < 0.5 ? on_grid : off;
+  const LaneMask sum_epoch = to_integer(whole) + t.epoch - next;
+  epoch = ends ? sum_epoch : LaneMask{} + Time<double>::never().epoch;
+  offset = ends ? offset : Lanes{};
 }
 
 /// Relative place of balls i and j at the later of their stored times, where `now` tells their images apart: they are

@@ -3,8 +3,8 @@
 //
 // A ball stays within `radius` of the centre of its shell until it leaves it; then it gets a new one [DonevTorquatoStillinger
 // 2005]. Two balls are neighbours if their centres are closer than the sum of their radii + `thickness`, and thickness > 2
-// radius: whoever is to be met is in the list. Centres are kept on the grid of their cell (2^-10 of its edge), so that
-// whether two balls are neighbours is decided the same from both sides, and the bits of no ball are touched.
+// radius: whoever is to be met is in the list. Centres are points of a grid, up to 1024 steps a cell, so that whether two
+// balls are neighbours is decided in integers, the same from both sides, and the bits of no ball are touched.
 
 #include <bit>
 #include <cstdint>
@@ -64,9 +64,11 @@ class Shells {
       if (periodic_ && (share < 0 || share >= n)) share -= n * __builtin_floor(share / n);
       const double top = n - 0x1p-11;
       share = share < 0 ? 0 : share > top ? top : share;
-      const std::uint32_t fine = static_cast<std::uint32_t>(static_cast<std::int64_t>(share * 1024));
-      home_[i].fine[k] = fine;
-      fraction |= (fine & 1023U) << (10 * k);
+      const std::uint32_t cell = static_cast<std::uint32_t>(static_cast<std::int32_t>(share));
+      const std::uint32_t step = static_cast<std::uint32_t>(
+          static_cast<std::int32_t>((share - static_cast<double>(static_cast<std::int32_t>(cell))) * steps_in_cell_[k]));
+      home_[i].fine[k] = cell << 10 | step;
+      fraction |= step << (10 * k);
     }
     const std::uint32_t cell = cell_of(i);
     std::uint32_t block = cell;
@@ -99,54 +101,71 @@ class Shells {
     }
   }
 
-  /// From the centre of ball i's shell to x, by the shortest way.
-  CAROM_INLINE void from_centre(std::uint32_t i, const double (&x)[D], double (&u)[D]) const {
-    for (int k = 0; k < D; ++k) {
-      u[k] = x[k] - (lower_[k] + (static_cast<double>(static_cast<std::int32_t>(home_[i].fine[k])) + 0.5) * step_[k]);
-      if (periodic_) u[k] -= nearest_integer(u[k] * per_period_[k]) * period_[k];
+  /// From the centre of ball i's shell to x, by the shortest way; lanes beyond D are 0 if those of x are.
+  CAROM_INLINE Lanes from_centre(std::uint32_t i, const Lanes& x) const {
+    const Home& home = home_[i];
+    std::uint32_t cell[lanes], step[lanes];
+    for (int k = 0; k < lanes; ++k) {
+      cell[k] = home.fine[k] >> 10;
+      step[k] = home.fine[k] & 1023U;
     }
+    const Lanes u = x - (lower_lanes_ + to_double(cell) * cell_lanes_ + to_double(step) * step_lanes_);
+    return periodic_ ? u - nearest_integer(u * per_period_lanes_) * period_lanes_ : u;
   }
 
-  /// Finds the neighbours of ball i by the centres; their rows are in found()[0 .. result).
+  /// Finds the neighbours of ball i by the centres; their rows are in found()[0 .. result). `periodic`, `equal`: as laid out.
+  template <bool periodic, bool equal>
   CAROM_INLINE std::uint32_t gather(const Swarm<D>& swarm, std::uint32_t i) {
     const Home home = home_[i];
-    std::uint32_t at[D];
-    for (int k = 0; k < D; ++k) at[k] = home.fine[k] >> 10;
     const double own = swarm.kind(i).radius;
-    Ints8 mine[D];
-    for (int k = 0; k < D; ++k) mine[k] = Ints8{} + static_cast<std::int32_t>(home.fine[k] & 1023U);
+    // By axis, of the cell below, its own, and the one above: what it adds to the number of a cell, and where the ball is as
+    // seen from its lower end.
+    std::uint32_t part[3][3] = {};
+    std::int32_t seen[3][3] = {};
+    std::uint32_t stride = 1;
+    for (int k = 0; k < D; ++k) {
+      const std::uint32_t at = home.fine[k] >> 10, n = cells_along_[k];
+      part[k][0] = at > 0 ? (at - 1) * stride : periodic ? (n - 1) * stride : none;
+      part[k][1] = at * stride;
+      part[k][2] = at + 1 < n ? (at + 1) * stride : periodic ? 0 : none;
+      const std::int32_t fraction = static_cast<std::int32_t>(home.fine[k] & 1023U);
+      for (int d = 0; d < 3; ++d) seen[k][d] = fraction - (d - 1) * steps_in_cell_[k];
+      stride *= n;
+    }
+    const Cell* const cells = cells_.data();
+    std::uint32_t* const found = scratch_.data();
+    const Ints8 cut_square = Ints8{} + cut_square_;
     std::uint32_t count = 0;
-    const int z_from = D == 3 ? -1 : 0;
-    for (int dz = z_from; dz <= -z_from; ++dz) {
-      std::uint32_t z = 0;
-      if (D == 3 && !neighbour(at[D - 1], dz, D - 1, z)) continue;
-      for (int dy = -1; dy <= 1; ++dy) {
-        std::uint32_t y;
-        if (!neighbour(at[1], dy, 1, y)) continue;
-        for (int dx = -1; dx <= 1; ++dx) {
-          std::uint32_t x;
-          if (!neighbour(at[0], dx, 0, x)) continue;
-          const int offset[3] = {dx * 1024, dy * 1024, dz * 1024};
-          std::uint32_t block = (D == 3 ? z * cells_along_[1] + y : y) * cells_along_[0] + x;
-          do {
-            const Cell& c = cells_[block];
-            const Ints8 fraction = load8(c.fraction);
-            Floats8 square = {};
-            for (int k = 0; k < D; ++k) {
-              const Ints8 steps = (fraction >> (10 * k) & 1023) - mine[k] + offset[k];
-              const Floats8 way = __builtin_convertvector(steps, Floats8) * scale_[k];
-              square += way * way;
-            }
-            unsigned bits = sign_bits8(square < cut_square_) & ((1U << c.count) - 1U);
-            if (!equal_)
+    for (int dz = 0; dz < (D == 3 ? 3 : 1); ++dz) {
+      const std::uint32_t z = part[2][dz];
+      if (!periodic && z == none) continue;
+      const Ints8 mine_z = Ints8{} + seen[2][dz];
+      for (int dy = 0; dy < 3; ++dy) {
+        const std::uint32_t y = part[1][dy];
+        if (!periodic && y == none) continue;
+        for (int dx = 0; dx < 3; ++dx) {
+          const std::uint32_t x = part[0][dx];
+          if (!periodic && x == none) continue;
+          const Ints8 mine_xy =
+              Ints8{} + ((seen[0][dx] & 0xffff) | static_cast<std::int32_t>(static_cast<std::uint32_t>(seen[1][dy]) << 16));
+          const Cell* c = cells + (x + y + z);
+          while (true) {
+            const Ints8 fraction = load8(c->fraction);
+            const Ints8 xy = (fraction & 0x3ff) | ((fraction << 6) & 0x3ff0000);
+            Ints8 square = sums_of_squares(differences16(xy, mine_xy));
+            if constexpr (D == 3) square += sums_of_squares(((fraction >> 20) - mine_z) & 0xffff);
+            const std::uint32_t next = c->next;
+            unsigned bits = sign_bits8(square - cut_square) & ((1U << c->count) - 1U);
+            if constexpr (!equal)
               for (unsigned rest = bits; rest != 0; rest &= rest - 1) {
                 const int k = std::countr_zero(rest);
-                if (!(square[k] < pair_square(own, swarm, c.ball[k]))) bits &= ~(1U << k);
+                if (!(square[k] < pair_square(own, swarm, c->ball[k]))) bits &= ~(1U << k);
               }
-            write_chosen(scratch_.data() + count, c.ball, bits);
+            write_chosen(found + count, c->ball, bits);
             count += static_cast<std::uint32_t>(__builtin_popcount(bits));
-            block = c.next;
-          } while (block != none);
+            if (next == none) break;
+            c = cells + next;
+          }
         }
       }
     }
@@ -190,6 +209,14 @@ class Shells {
       f(more_[block].near, more_[block].count);
       left -= more_[block].count;
     }
+  }
+  /// Writes the rows of ball i's list, if they are `count`, and some behind them up to a multiple of four.
+  CAROM_INLINE void copy_list(std::uint32_t i, std::uint32_t count, std::uint32_t* to) const {
+    if (count != slots[i].count) return;
+    for_each_piece(i, [&to](const std::uint32_t* near, std::uint32_t n) {
+      for (std::uint32_t k = 0; k < n; ++k) *to++ = near[k];
+    });
+    for (std::uint32_t k = count; k % lanes != 0; ++k) *to++ = i;
   }
   CAROM_INLINE void add(std::uint32_t i, std::uint32_t j) {
     Slot& slot = slots[i];
@@ -303,7 +330,7 @@ class Shells {
     std::uint32_t next;
   };
   struct Home {
-    std::uint32_t fine[D];  // of the centre, in steps of 2^-10 of a cell from the lower end
+    std::uint32_t fine[lanes];  // of the centre, by axis: 1024 times the cell + steps from its lower end
   };
 
   CAROM_INLINE bool neighbour(std::uint32_t c, int d, int k, std::uint32_t& to) const {
@@ -316,9 +343,9 @@ class Shells {
     to = static_cast<std::uint32_t>(there);
     return true;
   }
-  CAROM_INLINE float pair_square(double own, const Swarm<D>& swarm, std::uint32_t j) const {
-    const float cut = static_cast<float>((own + swarm.kind(j).radius) + thickness_);
-    return cut * cut;
+  CAROM_INLINE std::int32_t pair_square(double own, const Swarm<D>& swarm, std::uint32_t j) const {
+    const double cut = ((own + swarm.kind(j).radius) + thickness_) * per_step_;
+    return static_cast<std::int32_t>(cut * cut) + 1;
   }
   template <class T>
   CAROM_INLINE std::uint32_t take_block(PageArray<T>& blocks, std::uint32_t& free) {
@@ -331,11 +358,13 @@ class Shells {
     return static_cast<std::uint32_t>(blocks.size() - 1);
   }
 
-  bool periodic_ = false, equal_ = true;
+  bool periodic_ = false;
   double thickness_ = 0, radius_ = 0;
-  float cut_square_ = 0;
-  double lower_[D] = {}, period_[D] = {}, step_[D] = {}, per_cell_[D] = {}, per_period_[D] = {};
-  float scale_[D] = {};
+  double per_step_ = 0;           // what one step of any axis is taken for
+  std::int32_t cut_square_ = 0;   // in steps
+  std::int32_t steps_in_cell_[D] = {};  // at most 1024
+  double lower_[D] = {}, per_cell_[D] = {};
+  Lanes lower_lanes_ = {}, period_lanes_ = {}, cell_lanes_ = {}, step_lanes_ = {}, per_period_lanes_ = {};  // the lower end: of the middle of a step
   std::uint32_t cells_along_[D] = {};
   std::uint32_t free_cell_ = none, free_more_ = none;
   PageArray<Home> home_;

@@ -30,12 +30,12 @@ class SwarmLoop {
     for (std::uint32_t i = 0; i < n; ++i) {
       Slot& slot = run.shells.slots[i];
       slot.count = 0;
-      const std::uint32_t found = run.shells.gather(run.swarm, i);
+      const std::uint32_t found = run.shells.template gather<periodic, equal>(run.swarm, i);
       for (std::uint32_t k = 0; k < found; ++k) run.shells.add(i, run.shells.found()[k]);
     }
     for (std::uint32_t i = 0; i < n; ++i) {
       look_again(run, i);  // stored times differ where a run goes on from a state
-      set_exit(run, i);
+      set_exits(run, i, i);
     }
     detail::refill_calendar(run);
   }
@@ -84,12 +84,13 @@ class SwarmLoop {
       run.exactness.clamped += t < run.now;
       run.now = t;
       run.quiet = 0;
-      look_at_all(run, i, j);
-      set_exit(run, i);
-      enqueue(run, i);
-      if (!wall) {
-        look_at_all(run, j, i);
-        set_exit(run, j);
+      if (wall) {
+        look_at_all(run, i, nobody);
+        set_exits(run, i, i);
+        enqueue(run, i);
+      } else {
+        look_around(run, i, j);
+                enqueue(run, i);
         enqueue(run, j);
       }
       if (run.verdict != Halt::until) return std::exchange(run.verdict, Halt::until);
@@ -98,7 +99,6 @@ class SwarmLoop {
 
  private:
   static constexpr std::uint32_t nobody = ~std::uint32_t{0};
-  static constexpr std::uint32_t most_open = 16;
 
   // --- what is due ---
 
@@ -194,49 +194,121 @@ class SwarmLoop {
 
   // --- predictions ---
 
-  /// Both meetings of ball i are found anew, from the moment of its last collision, run.now; `hit`, if anyone, is whom it has
-  /// just hit: they do not meet again before one of them is hit.
+  /// The list of a ball that is looked at, and what decides whom it meets.
+  struct Look {
+    const std::uint32_t* near;
+    std::uint32_t count;
+    PairTermsOfList<equal> terms;
+    Meetings4 meetings;
+    std::uint32_t all[PairTermsOfList<equal>::most];  // where the slot does not hold it
+  };
+  static constexpr std::uint32_t most_near = PairTermsOfList<equal>::most;
+
+  /// The terms of ball i with all around it but `hit`, whom it has just hit: they do not meet again before one of them is hit.
+  CAROM_INLINE static void look(Run& run, std::uint32_t i, std::uint32_t hit, Look& at) {
+    const Slot& slot = run.shells.slots[i];
+    at.near = slot.near;
+    at.count = slot.count;
+    if (at.count > Slot::here) {
+      at.count = at.count < most_near ? at.count : 0;
+      run.shells.copy_list(i, at.count, at.all);
+      at.near = at.all;
+    }
+    auto& terms = at.terms;
+    terms.b[most_near] = terms.rr[most_near] = terms.a[most_near] = terms.cross[most_near] = 1;
+    if constexpr (!equal) terms.sigma[most_near] = 1;
+    run.work.predictions += at.count;
+    find_candidates<D, periodic>(run.swarm, i, at.near, at.count, (at.count + lanes - 1) / lanes, run.reach, terms);
+    terms.candidates &= ~bits_of(at.near, at.count, hit);
+  }
+  CAROM_INLINE static void meet(const Run& run, std::uint32_t i, Look& at) {
+    meet_four(at.terms, at.terms.candidates, 2 * run.swarm.template kind<equal>(i).radius, at.meetings);
+  }
+
+  /// True if the first two meetings found are certain, and their order.
+  CAROM_INLINE static bool settled(const Look& at) {
+    const Meetings4& m = at.meetings;
+    return m.all & m.certain(0) & m.certain(1) & !undecided(m.flight[0], m.flight[1], m.flight[2]) & (at.count != 0);
+  }
+
+  /// Both meetings of balls i and j, which have just hit each other at run.now, are found anew.
+  [[gnu::noinline, gnu::flatten]] static void look_around(Run& run, std::uint32_t i, std::uint32_t j) {
+    if constexpr (!periodic) {
+      look_at_all(run, i, j);
+      look_at_all(run, j, i);
+      return set_exits(run, i, j);
+    }
+    Look a, b;
+    look(run, i, j, a);
+    look(run, j, i, b);
+    set_exits(run, i, j);
+    meet(run, i, a);
+    meet(run, j, b);
+    const Meetings4 &ma = a.meetings, &mb = b.meetings;
+    const Lanes flights = __builtin_shufflevector(ma.flight, mb.flight, 0, 1, 4, 5);
+    alignas(32) long long epoch[lanes];
+    alignas(32) double offset[lanes];
+    LaneMask epochs;
+    Lanes offsets;
+    after(run.now, flights, epochs, offsets);
+    *reinterpret_cast<StoredMask*>(epoch) = epochs;
+    *reinterpret_cast<Lanes*>(offset) = offsets;
+    const bool in_range = sign_bits((flights < 0x1p50) | (flights == FirstMeetings::no_flight)) == 15;
+    if (in_range & settled(a)) {
+      keep(run, i, a, epoch, offset);
+    } else {
+      look_closely(run, i, a);
+    }
+    if (in_range & settled(b)) {
+      keep(run, j, b, epoch + 2, offset + 2);
+    } else {
+      look_closely(run, j, b);
+    }
+  }
+  CAROM_INLINE static void keep(Run& run, std::uint32_t i, const Look& at, const long long* epoch, const double* offset) {
+    Slot& slot = run.shells.slots[i];
+    const Meetings4& m = at.meetings;
+    const std::uint32_t p = m.candidate(0), q = m.candidate(1);
+    slot.first = {epoch[0], offset[0]};
+    slot.partner = p < most_near ? at.near[p] : nobody;
+    slot.partner_stamp = run.swarm.past[p < most_near ? slot.partner : i].stamp;
+    slot.second = {epoch[1], offset[1]};
+    slot.second_partner = q < most_near ? at.near[q] : nobody;
+    slot.second_stamp = run.swarm.past[q < most_near ? slot.second_partner : i].stamp;
+  }
+
+  /// Both meetings of ball i are found anew, from the moment of its last collision, run.now.
   [[gnu::noinline, gnu::flatten]] static void look_at_all(Run& run, std::uint32_t i, std::uint32_t hit = nobody) {
+    Look at;
+    look(run, i, hit, at);
+    meet(run, i, at);
+    look_closely(run, i, at);
+  }
+
+  /// The same with what is not settled by plain arithmetic.
+  [[gnu::noinline, gnu::flatten]] static void look_closely(Run& run, std::uint32_t i, const Look& at) {
     FirstMeetings found;
-    MeetingTimes times;
-    OpenPair<D> open[most_open];
-    std::uint32_t opened = 0;
+    if (at.count == 0 && run.shells.slots[i].count != 0) return look_again(run, i);
     bool again = false;  // pair by pair
-    const auto settle = [&](const OpenPair<D>& pair) {
-      if (pair.bound > found.flight[2]) return;
-      Vec<double, D> r, g;
-      for (int k = 0; k < D; ++k) {
-        r[k] = pair.r[k];
-        g[k] = pair.g[k];
-      }
-      double t;
-      const bool may_touch = run.swarm.flights[pair.partner].time() == run.swarm.flights[i].time();
-      if (may_touch || !detail::meet_time_wide<D>(r, g, pair.sigma, t)) {
-        again = true;
-      } else {
-        found.offer(t, pair.partner);
-      }
-    };
-    run.shells.for_each_piece(i, [&](const std::uint32_t* near, std::uint32_t count) {
-      run.work.predictions += count;
-      for (std::uint32_t k = (count + 3) / 4 * 4; k < MeetingTimes::most; ++k) times.flight[k] = never<double>();
-      look_at<D, periodic, equal>(run.swarm, i, near, count, hit, times.flight, [&](const OpenPair<D>& pair) {
-        if (opened < most_open) {
-          open[opened++] = pair;
+    Meetings4 m = at.meetings;
+    for (std::uint64_t left = at.terms.candidates;;) {
+      for (int k = 0; k < lanes; ++k) {
+        left &= left - 1;
+        if (!(m.flight[k] < found.flight[2])) continue;
+        const std::uint32_t j = at.near[m.candidate(k)];
+        if (m.certain(k)) {
+          found.offer(m.flight[k], j);
         } else {
-          settle(pair);
+          again |= !settle(run, i, j, found);
         }
-      });
-      times.into(found, near);
-    });
-    for (std::uint32_t k = 0; k < opened; ++k) settle(open[k]);  // most come later than what is known by now
+      }
+      if (left == 0) break;
+      meet_four(at.terms, left, 2 * run.swarm.template kind<equal>(i).radius, m);
+    }
     if constexpr (!periodic)
       for (std::size_t f = 0; f < run.swarm.rest.walls.faces.size(); ++f)
         found.offer(flight_to_face(run, i, f), Slot::wall + static_cast<std::uint32_t>(f));
-    if (again || found.undecided()) {
-      look_again(run, i);
-      return;
-    }
+    if (again || undecided(found.flight[0], found.flight[1], found.flight[2])) return look_again(run, i);
     Slot& slot = run.shells.slots[i];
     const Time<double> since = run.swarm.flights[i].time();
     slot.first = after(since, found.flight[0]);
@@ -245,6 +317,31 @@ class SwarmLoop {
     slot.second = after(since, found.flight[1]);
     slot.second_partner = found.partner[1];
     slot.second_stamp = stamp_of(run, slot.second_partner);
+  }
+
+  /// Bit k is set where near[k] is `row`.
+  CAROM_INLINE static std::uint64_t bits_of(const std::uint32_t* near, std::uint32_t count, std::uint32_t row) {
+    const Ints8 wanted = Ints8{} + static_cast<std::int32_t>(row);
+    if (count <= Slot::here) return sign_bits8(load8(near) == wanted) | sign_bits8(load8(near + 8) == wanted) << 8;
+    std::uint64_t bits = 0;
+    for (std::uint32_t k = 0; k < count; ++k) bits |= static_cast<std::uint64_t>(near[k] == row) << k;
+    return bits;
+  }
+
+  /// The meeting with a candidate that plain arithmetic has not settled. False: it can be found only pair by pair.
+  CAROM_INLINE static bool settle(Run& run, std::uint32_t i, std::uint32_t j, FirstMeetings& found) {
+    if (run.swarm.flights[j].time() == run.swarm.flights[i].time()) return false;  // they may touch
+    const double sigma = run.swarm.template kind<equal>(i).radius + run.swarm.template kind<equal>(j).radius;
+    double r[D], g[D], image[D], t;
+    (void)pair_state<D, periodic>(run.swarm, i, j, run.clock, r, g, image);
+    Vec<double, D> place, velocity;
+    for (int m = 0; m < D; ++m) {
+      place[m] = r[m];
+      velocity[m] = g[m];
+    }
+    if (!detail::meet_time_wide<D>(place, velocity, sigma, t)) return false;
+    found.offer(t, j);
+    return true;
   }
 
   /// The same whatever the stored times, pair by pair and in the total order of events.
@@ -341,29 +438,24 @@ class SwarmLoop {
     run.shells.place(i, x);
   }
 
-  /// When ball i leaves its shell.
-  [[gnu::noinline, gnu::flatten]] static void set_exit(Run& run, std::uint32_t i) {
-    const Flight<D>& ball = run.swarm.flights[i];
-    const double flown = elapsed(ball.time(), run.clock);
-    double x[D], u[D];
-    for (int k = 0; k < D; ++k) x[k] = ball.x[k] + ball.v[k] * flown;
-    run.shells.from_centre(i, x, u);
-    double a = 0, b = 0, c = run.shells.radius() * run.shells.radius();
-    for (int k = 0; k < D; ++k) {
-      a += ball.v[k] * ball.v[k];
-      b += u[k] * ball.v[k];
-      c -= u[k] * u[k];
-    }
-    constexpr std::int64_t far = std::int64_t{1} << 60;
-    std::int64_t& exit = run.shells.slots[i].exit;
-    if (!(c > 0)) {
-      exit = run.clock.epoch;
-    } else if (a == 0) {
-      exit = Time<double>::never().epoch;
-    } else {
-      const double root = __builtin_sqrt(b * b + a * c);
-      const double flight = b > 0 ? c / (b + root) : (root - b) / a;
-      exit = flight < 0x1p60 ? run.clock.epoch + static_cast<std::int64_t>(run.clock.offset + flight) : run.clock.epoch + far;
+  /// When balls i and j leave their shells.
+  CAROM_INLINE static void set_exits(Run& run, std::uint32_t i, std::uint32_t j) {
+    const Flight<D>&a = run.swarm.flights[i], &b = run.swarm.flights[j];
+    const Lanes va = load_vector<D>(a.v), vb = load_vector<D>(b.v);
+    const Lanes ua = run.shells.from_centre(i, load_vector<D>(a.x) + va * elapsed(a.time(), run.clock));
+    const Lanes ub = run.shells.from_centre(j, load_vector<D>(b.x) + vb * elapsed(b.time(), run.clock));
+    // |u + v t|^2 = radius^2, of both: q t^2 + 2 p t = c.
+    const Lanes pq = sums(va * va, vb * vb, ua * va, ub * vb), uu = sums(ua * ua, ub * ub, ua, ub);
+    const Lanes q = __builtin_shufflevector(pq, pq, 0, 1, 0, 1), p = __builtin_shufflevector(pq, pq, 2, 3, 2, 3);
+    const Lanes c = run.shells.radius() * run.shells.radius() - uu, root = sqrt(p * p + q * c);
+    const LaneMask outward = p > 0.0;
+    const Lanes flight = (outward ? c : root - p) / (outward ? p + root : q);
+    for (int k = 0; k < 2; ++k) {
+      constexpr double far = 0x1p60;
+      const double t = run.clock.offset + flight[k];
+      std::int64_t& exit = run.shells.slots[k == 0 ? i : j].exit;
+      exit = run.clock.epoch + static_cast<std::int64_t>(t < far ? t : far);  // at rest it is a NaN
+      if (!(c[k] > 0)) exit = run.clock.epoch;
     }
   }
 
@@ -373,10 +465,10 @@ class SwarmLoop {
     Shells<D>& shells = run.shells;
     shells.displace(i);
     place(run, i);
-    const std::uint32_t n = shells.gather(run.swarm, i);
+    const std::uint32_t n = shells.template gather<periodic, equal>(run.swarm, i);
     std::uint32_t* const found = shells.found();
     shells.update(i, n, [&](std::uint32_t k) { offer(run, i, found[k], meeting(run, i, found[k])); });
-    set_exit(run, i);
+    set_exits(run, i, i);
     enqueue(run, i);
   }
 
@@ -389,7 +481,7 @@ class SwarmLoop {
     const Flight<D> before_a = a, before_b = b;
     const double lag_a = elapsed(a.time(), t), lag_b = elapsed(b.time(), t);
     double xa[D], xb[D], image[D] = {};
-    W r[D], g[D], gr(0.0), rr(0.0);
+    W r[D], gr, rr;
     for (int k = 0; k < D; ++k) {
       xa[k] = a.x[k] + a.v[k] * lag_a;
       xb[k] = b.x[k] + b.v[k] * lag_b;
@@ -398,21 +490,28 @@ class SwarmLoop {
         image[k] = nearest_integer((xa[k] - xb[k]) * run.swarm.per_edge[k]);
         if (image[k] != 0) r[k] = r[k] + two_prod(image[k], run.swarm.edge[k]);
       }
-      g[k] = two_diff(a.v[k], b.v[k]);
-      gr = gr + g[k] * r[k];
-      rr = rr + r[k] * r[k];
+      const W along = two_diff(a.v[k], b.v[k]) * r[k], square = r[k] * r[k];
+      gr = k == 0 ? along : gr + along;
+      rr = k == 0 ? square : rr + square;
     }
     const double sigma = run.swarm.template kind<equal>(i).radius + run.swarm.template kind<equal>(j).radius;
     note_gap(run, rr, sigma);
     if (narrow(gr) > 0) {
-      const W q = W(2.0) * gr / rr;
       const double ma = run.swarm.template kind<equal>(i).mass, mb = run.swarm.template kind<equal>(j).mass;
-      const bool alike = equal || ma == mb;
-      const W sa = alike ? W(0.5) : W(mb) / (W(ma) + W(mb)), sb = alike ? W(0.5) : W(ma) / (W(mb) + W(ma));
-      for (int k = 0; k < D; ++k) {
-        const W change = q * r[k];
-        a.v[k] = narrow(W(a.v[k]) - sa * change);
-        b.v[k] = narrow(W(b.v[k]) + sb * change);
+      if (equal || ma == mb) {  // 2 gr / rr, and half of it for each
+        const W q = gr / rr;
+        for (int k = 0; k < D; ++k) {
+          const W change = q * r[k];
+          a.v[k] = rounded_sum(a.v[k], -change);
+          b.v[k] = rounded_sum(b.v[k], change);
+        }
+      } else {
+        const W q = twice(gr) / rr, sa = W(mb) / (W(ma) + W(mb)), sb = W(ma) / (W(mb) + W(ma));
+        for (int k = 0; k < D; ++k) {
+          const W change = q * r[k];
+          a.v[k] = rounded_sum(a.v[k], -(sa * change));
+          b.v[k] = rounded_sum(b.v[k], sb * change);
+        }
       }
     }
     int turns[D] = {};
@@ -431,6 +530,13 @@ class SwarmLoop {
     for (int k = 0; k < D; ++k)
       if (!(a.v[k] - a.v[k] == 0) || !(b.v[k] - b.v[k] == 0)) run.verdict = Halt::non_finite;
     if (run.sink != nullptr) detail::report_collision(run, i, j, t, before_a, before_b, hit_a, hit_b, image);
+  }
+
+  CAROM_INLINE static DoubleDouble twice(const DoubleDouble& x) { return {2 * x.hi, 2 * x.lo}; }
+  /// narrow(W(v) + x): what the sum of two DoubleDouble comes to where one is a double, and only the nearest double is wanted.
+  CAROM_INLINE static double rounded_sum(double v, const DoubleDouble& x) {
+    const DoubleDouble s = two_sum(v, x.hi);
+    return s.hi + (s.lo + x.lo);
   }
 
   CAROM_INLINE static void remember(Past& past, std::uint32_t partner, std::uint32_t partner_stamp, std::uint8_t image) {

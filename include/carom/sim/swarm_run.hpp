@@ -74,6 +74,8 @@ struct SwarmRun {
 
   void (*sink)(void*, const Record<double, D>&) = nullptr;  ///< wants a record of each collision
   void* sink_data = nullptr;
+
+  double reach = 0;  ///< [length unit] centres of neighbours are closer, whatever the ball
 };
 
 /// The loop, compiled for one instruction set and one kind of swarm.
