@@ -21,14 +21,14 @@ using Place = std::tuple<EventKind, std::uint32_t, std::uint32_t, std::int32_t>;
 
 template <int D>
 Place place_of(const SwarmRun<D>& run, std::uint32_t i, std::uint32_t partner) {
-  const std::uint32_t a = run.swarm.number[i];
+  const std::uint32_t a = run.swarm.past[i].number;
   if (partner >= run.swarm.size()) {
     const auto& faces = run.swarm.rest.walls.faces;
     const std::size_t f = partner - Slot::wall;
     if (partner < Slot::wall || f >= faces.size()) return {EventKind::none, a, 0, 0};
     return {EventKind::ball_wall, a, index(faces[f].wall), faces[f].feature};
   }
-  const std::uint32_t b = run.swarm.number[partner];
+  const std::uint32_t b = run.swarm.past[partner].number;
   return {EventKind::ball_ball, std::min(a, b), std::max(a, b), 0};
 }
 
@@ -84,13 +84,13 @@ Turns<D> write(SwarmRun<D>& run, std::uint32_t i, const Vec<double, D>& x, const
   }
   flight.epoch = t.epoch;
   flight.offset = t.offset;
-  ++past.stamp;
+  ++run.swarm.stamp[i];
   return turns;
 }
 
 template <int D>
 void fill(RecordParty<double, D>& party, const SwarmRun<D>& run, std::uint32_t i, bool hit, const Time<double>& before) {
-  party.number = run.swarm.number[i];
+  party.number = run.swarm.past[i].number;
   party.position = vector<D>(run.swarm.flights[i].x);
   for (int k = 0; k < D; ++k) party.image[static_cast<std::size_t>(k)] = run.swarm.past[i].image[k];
   party.previous_hit = hit ? before : Time<double>::never();
@@ -204,14 +204,14 @@ bool collide_with_face(SwarmRun<D>& run, std::uint32_t i, const Face<double, D>&
     Event<double, D> event;
     event.time = t;
     event.kind = EventKind::ball_wall;
-    event.ball = run.swarm.number[i];
+    event.ball = run.swarm.past[i].number;
     event.partner = wall;
     event.feature = face.feature;
     send(run, event, impact, outcome, gap, i, hit, before.time(), i, false, before.time(), &face);
   }
   for (int k = 0; k < D; ++k)
     if (!(outcome.va[k] - outcome.va[k] == 0)) run.verdict = Halt::non_finite;
-  if (run.verdict == Halt::until) watch(run, impact, t, outcome.impulse, i, {run.swarm.number[i]}, Support::corner);
+  if (run.verdict == Halt::until) watch(run, impact, t, outcome.impulse, i, {run.swarm.past[i].number}, Support::corner);
   return true;
 }
 
@@ -226,9 +226,9 @@ double careful_flight(const SwarmRun<D>& run, std::uint32_t i, std::uint32_t j, 
   const Image<D> contact = unpacked_image<D>(a.contact_image);
   for (int k = 0; k < D; ++k) same_image = same_image && static_cast<double>(contact[k]) == image[k];
   if (same_image && (a.flags & held) == Past::in_contact && (b.flags & held) == Past::in_contact &&
-      a.last_partner == run.swarm.number[j] && b.last_partner == run.swarm.number[i] &&
+      a.last_partner == run.swarm.past[j].number && b.last_partner == run.swarm.past[i].number &&
       run.swarm.flights[i].time() == run.swarm.flights[j].time()) {
-    if (a.partner_stamp == b.stamp && b.partner_stamp == a.stamp) return never<double>();
+    if (a.partner_stamp == run.swarm.stamp[j] && b.partner_stamp == run.swarm.stamp[i]) return never<double>();
     double approach = r[0] * v[0];
     for (int k = 1; k < D; ++k) approach += r[k] * v[k];
     return approach < 0 ? 0.0 : never<double>();
@@ -245,7 +245,7 @@ template <int D>
 bool first_due_at_a_tie(const SwarmRun<D>& run, std::uint32_t i, std::uint32_t k) {
   const auto place = [&run](std::uint32_t b) {
     const Slot& slot = run.shells.slots[b];
-    return slot.exit_first() ? Place{EventKind::bookkeeping, run.swarm.number[b], 0, 0} : place_of(run, b, slot.partner);
+    return slot.exit_first() ? Place{EventKind::bookkeeping, run.swarm.past[b].number, 0, 0} : place_of(run, b, slot.partner);
   };
   return place(i) < place(k);
 }
@@ -261,7 +261,7 @@ int wrap_coordinate(double lower, double edge, double& x) {
 template <int D>
 bool collide_carefully(SwarmRun<D>& run, std::uint32_t i, std::uint32_t partner, const Time<double>& t) {
   if (partner >= Slot::wall) return collide_with_face(run, i, run.swarm.rest.walls.faces[partner - Slot::wall], t);
-  const bool ordered = run.swarm.number[i] < run.swarm.number[partner];
+  const bool ordered = run.swarm.past[i].number < run.swarm.past[partner].number;
   const std::uint32_t a = ordered ? i : partner, b = ordered ? partner : i;
   const Flight<D> before_a = run.swarm.flights[a], before_b = run.swarm.flights[b];
   Past&pa = run.swarm.past[a], &pb = run.swarm.past[b];
@@ -290,15 +290,15 @@ bool collide_carefully(SwarmRun<D>& run, std::uint32_t i, std::uint32_t partner,
     past.last_feature = 0;
     past.partner_stamp = stamp;
   };
-  remember(pa, run.swarm.number[b], pb.stamp, image_ab);
-  remember(pb, run.swarm.number[a], pa.stamp, image_ba);
+  remember(pa, run.swarm.past[b].number, run.swarm.stamp[b], image_ab);
+  remember(pb, run.swarm.past[a].number, run.swarm.stamp[a], image_ba);
   ++run.counts.ball_ball;
   book(run.books, outcome);
   Event<double, D> event;
   event.time = t;
   event.kind = EventKind::ball_ball;
-  event.ball = run.swarm.number[a];
-  event.partner = run.swarm.number[b];
+  event.ball = run.swarm.past[a].number;
+  event.partner = run.swarm.past[b].number;
   if (run.sink != nullptr)
     send(run, event, impact, outcome, gap, a, hit_a, before_a.time(), b, hit_b, before_b.time());
   for (int k = 0; k < D; ++k)
@@ -310,7 +310,7 @@ bool collide_carefully(SwarmRun<D>& run, std::uint32_t i, std::uint32_t partner,
 template <int D>
 void report_collision(SwarmRun<D>& run, std::uint32_t i, std::uint32_t j, const Time<double>& t, const Flight<D>& before_i,
                       const Flight<D>& before_j, bool hit_i, bool hit_j, const double* image) {
-  const bool ordered = run.swarm.number[i] < run.swarm.number[j];
+  const bool ordered = run.swarm.past[i].number < run.swarm.past[j].number;
   const std::uint32_t a = ordered ? i : j, b = ordered ? j : i;
   const Flight<D>&before_a = ordered ? before_i : before_j, &before_b = ordered ? before_j : before_i;
   double image_ab[D];
@@ -322,8 +322,8 @@ void report_collision(SwarmRun<D>& run, std::uint32_t i, std::uint32_t j, const 
   Event<double, D> event;
   event.time = t;
   event.kind = EventKind::ball_ball;
-  event.ball = run.swarm.number[a];
-  event.partner = run.swarm.number[b];
+  event.ball = run.swarm.past[a].number;
+  event.partner = run.swarm.past[b].number;
   send(run, event, impact, outcome, gap_of_pair<double>(impact.r, sigma), a, ordered ? hit_i : hit_j, before_a.time(), b,
        ordered ? hit_j : hit_i, before_b.time());
 }

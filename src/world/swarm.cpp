@@ -72,6 +72,7 @@ Swarm<D> make_swarm(World<double, D>&& world) {
   std::map<Alike, std::uint16_t> kinds;
 
   swarm.past = PageArray<Past>(n);
+  swarm.stamp = PageArray<std::uint32_t>(n);
   if (dissipates) swarm.reach.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
     const BallDetail<double, D>& detail = world.details[i];
@@ -81,7 +82,8 @@ Swarm<D> make_swarm(World<double, D>&& world) {
     Past& past = swarm.past[i];
     past = Past{};
     for (int k = 0; k < D; ++k) past.image[k] = static_cast<std::int32_t>(detail.image[static_cast<std::size_t>(k)]);
-    past.stamp = world.balls[i].stamp;
+    swarm.stamp[i] = world.balls[i].stamp;
+    past.number = static_cast<std::uint32_t>(i);
     past.species = kind->second;
     past.flags = static_cast<std::uint8_t>((detail.last_hit.is_never() ? 0 : Past::hit) |
                                            (detail.last_party == Party::wall ? Past::last_was_wall : 0));
@@ -120,9 +122,8 @@ Swarm<D> make_swarm(World<double, D>&& world) {
     swarm.per_edge[k] = 1 / swarm.edge[k];
   }
 
-  swarm.number = PageArray<std::uint32_t>(n);
   swarm.row = PageArray<std::uint32_t>(n);
-  for (std::size_t i = 0; i < n; ++i) swarm.number[i] = swarm.row[i] = static_cast<std::uint32_t>(i);
+  for (std::size_t i = 0; i < n; ++i) swarm.row[i] = static_cast<std::uint32_t>(i);
   return swarm;
 }
 
@@ -138,7 +139,7 @@ Ball<double, D> stored_ball(const Swarm<D>& swarm, std::uint32_t number) {
   ball.time = swarm.flights[i].time();
   ball.radius = kind.radius;
   ball.fixed = kind.fixed;
-  ball.stamp = swarm.past[i].stamp;
+  ball.stamp = swarm.stamp[i];
   ball.in_contact = (swarm.past[i].flags & Past::in_contact) != 0;
   return ball;
 }
@@ -164,7 +165,7 @@ BallDetail<double, D> stored_detail(const Swarm<D>& swarm, std::uint32_t number)
     contact.partner = past.last_partner;
     contact.feature = past.last_feature;
     contact.acted = true;
-    contact.own_stamp = past.stamp;
+    contact.own_stamp = swarm.stamp[i];
     contact.partner_stamp = past.partner_stamp;
     contact.image = unpacked_image<D>(past.contact_image);
     detail.contacts.push_back(contact);
@@ -209,13 +210,13 @@ void sort_rows(Swarm<D>& swarm, const Time<double>& t) {
   }
   permute(swarm.flights, from);
   permute(swarm.past, from);
-  permute(swarm.number, from);
+  permute(swarm.stamp, from);
   if (!swarm.reach.empty()) {
     std::vector<double> sorted(n);
     for (std::uint32_t i = 0; i < n; ++i) sorted[i] = swarm.reach[from[i]];
     swarm.reach = std::move(sorted);
   }
-  for (std::uint32_t i = 0; i < n; ++i) swarm.row[swarm.number[i]] = i;
+  for (std::uint32_t i = 0; i < n; ++i) swarm.row[swarm.past[i].number] = i;
 }
 
 template bool is_swarm(const World<double, 2>&);

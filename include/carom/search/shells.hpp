@@ -177,6 +177,7 @@ class Shells {
     return count - 1;
   }
   [[nodiscard]] CAROM_INLINE std::uint32_t* found() { return scratch_.data(); }
+  CAROM_INLINE void fetch_home(std::uint32_t i) const { __builtin_prefetch(&home_[i]); }
   /// Asks for the lines that `gather` will read, ahead of it.
   CAROM_INLINE void fetch_cells(std::uint32_t i) const {
     const std::uint32_t x = home_[i].fine[0] >> 10;

@@ -67,7 +67,7 @@ class SwarmLoop {
       }
       const std::uint32_t j = slot.partner;
       const bool wall = j >= Slot::wall;
-      if (!wall && run.swarm.past[j].stamp != slot.partner_stamp) {
+      if (!wall && run.swarm.stamp[j] != slot.partner_stamp) {
         ++run.head;
         ++run.exactness.repredicted;
         fall_back(run, i);
@@ -184,6 +184,8 @@ class SwarmLoop {
   CAROM_INLINE static void fetch_ball(const Run& run, std::uint32_t i) {
     __builtin_prefetch(&run.swarm.flights[i]);
     __builtin_prefetch(&run.swarm.past[i]);
+    __builtin_prefetch(&run.swarm.stamp[i]);
+    run.shells.fetch_home(i);
     __builtin_prefetch(&run.shells.slots[i].near);
   }
   CAROM_INLINE static void fetch_near(const Run& run, std::uint32_t i) {
@@ -271,10 +273,10 @@ class SwarmLoop {
     const std::uint32_t p = m.candidate(0), q = m.candidate(1);
     slot.first = {epoch[0], offset[0]};
     slot.partner = p < most_near ? at.near[p] : nobody;
-    slot.partner_stamp = run.swarm.past[p < most_near ? slot.partner : i].stamp;
+    slot.partner_stamp = run.swarm.stamp[p < most_near ? slot.partner : i];
     slot.second = {epoch[1], offset[1]};
     slot.second_partner = q < most_near ? at.near[q] : nobody;
-    slot.second_stamp = run.swarm.past[q < most_near ? slot.second_partner : i].stamp;
+    slot.second_stamp = run.swarm.stamp[q < most_near ? slot.second_partner : i];
   }
 
   /// Both meetings of ball i are found anew, from the moment of its last collision, run.now.
@@ -384,7 +386,7 @@ class SwarmLoop {
   }
 
   CAROM_INLINE static std::uint32_t stamp_of(const Run& run, std::uint32_t partner) {
-    return partner < run.swarm.size() ? run.swarm.past[partner].stamp : 0;
+    return partner < run.swarm.size() ? run.swarm.stamp[partner] : 0;
   }
 
   /// A meeting of ball i with `partner` at t takes its place among those known.
@@ -524,8 +526,8 @@ class SwarmLoop {
       image_ab[k] = static_cast<int>(image[k]) + turns[k];
       image_ba[k] = -image_ab[k];
     }
-    remember(pa, run.swarm.number[j], pb.stamp, packed_image<D>(image_ab));
-    remember(pb, run.swarm.number[i], pa.stamp, packed_image<D>(image_ba));
+    remember(pa, run.swarm.past[j].number, run.swarm.stamp[j], packed_image<D>(image_ab));
+    remember(pb, run.swarm.past[i].number, run.swarm.stamp[i], packed_image<D>(image_ba));
     ++run.counts.ball_ball;
     for (int k = 0; k < D; ++k)
       if (!(a.v[k] - a.v[k] == 0) || !(b.v[k] - b.v[k] == 0)) run.verdict = Halt::non_finite;
@@ -567,7 +569,7 @@ class SwarmLoop {
     }
     ball.epoch = t.epoch;
     ball.offset = t.offset;
-    ++past.stamp;
+    ++run.swarm.stamp[i];
   }
 
   /// The gap that was left, |r| - sigma, if it is the largest so far: (r.r - sigma^2) / (|r| + sigma), where |r| + sigma is

@@ -27,7 +27,7 @@ struct Past {
   enum : std::uint8_t { hit = 1, in_contact = 2, last_was_wall = 4 };
 
   std::int32_t image[3];        ///< periods counted out of the stored position
-  std::uint32_t stamp;          ///< counts the changes of motion
+  std::uint32_t number;         ///< of the ball
   std::uint16_t species;        ///< row of Swarm::species
   std::uint8_t flags;           ///< hit: it has collided; in_contact: with its last partner, at its stored time
   std::uint8_t contact_image;   ///< of the partner in contact, relative to the stored positions: see packed_image
@@ -63,13 +63,13 @@ struct Species {
   bool fixed;              ///< never moves
 };
 
-/// The balls of a world in free flight whose bodies are lone balls. Rows are in an order that keeps neighbours together;
-/// `number` gives the ball that is in a row, `row` the row of a ball.
+/// The balls of a world in free flight whose bodies are lone balls. Rows are in an order that keeps neighbours together.
 template <int D>
 struct Swarm {
   PageArray<Flight<D>> flights;
   PageArray<Past> past;
-  PageArray<std::uint32_t> number, row;
+  PageArray<std::uint32_t> stamp;  ///< counts the changes of motion
+  PageArray<std::uint32_t> row;    ///< by ball number
   std::vector<Species> species;
   std::vector<double> reach;       ///< by row; only where impacts dissipate (BallDetail::reach)
   std::vector<std::string> names;  ///< by ball number; empty if no ball has one
