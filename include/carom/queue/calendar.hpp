@@ -31,6 +31,11 @@ class Calendar {
   }
   [[nodiscard]] CAROM_INLINE std::int64_t current() const { return now_; }
 
+  /// How far into its bucket a moment of the current one is, in widths: a monotone function of it.
+  CAROM_INLINE double share(const Time<double>& t) const {
+    return (static_cast<double>(t.epoch - start_.epoch) + (t.offset - start_.offset)) * per_width_ - static_cast<double>(now_);
+  }
+
   /// Ball i is due in bucket b > current().
   CAROM_INLINE void push(std::uint32_t i, std::int64_t b) {
     const std::int64_t ahead = (b >> fine_bits) - (now_ >> fine_bits);

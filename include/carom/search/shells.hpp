@@ -177,6 +177,10 @@ class Shells {
     return count - 1;
   }
   [[nodiscard]] CAROM_INLINE std::uint32_t* found() { return scratch_.data(); }
+  CAROM_INLINE void fetch_slot(std::uint32_t i) const {
+    __builtin_prefetch(&slots[i]);
+    __builtin_prefetch(&slots[i].near);
+  }
   CAROM_INLINE void fetch_home(std::uint32_t i) const { __builtin_prefetch(&home_[i]); }
   /// Asks for the lines that `gather` will read, ahead of it.
   CAROM_INLINE void fetch_cells(std::uint32_t i) const {
@@ -262,24 +266,35 @@ class Shells {
     }
   }
   /// Makes the n rows of found() the neighbours of ball i, on both sides, and calls fresh(k) for each found()[k] that is new.
-  template <class F>
-  CAROM_INLINE void update(std::uint32_t i, std::uint32_t n, F&& fresh) {
+  /// `meanwhile` is called while the records of those whose lists change are on their way.
+  template <class F, class G>
+  CAROM_INLINE void update(std::uint32_t i, std::uint32_t n, F&& fresh, G&& meanwhile) {
     if (n <= 32 && slots[i].count <= Slot::here) {
+      std::uint32_t gone[Slot::here + 1], left = 0;
       unsigned known = 0;  // bit k: found()[k] is in the list already
       for (std::uint32_t k = 0; k < slots[i].count; ++k) {
-        const Ints8 j = Ints8{} + static_cast<std::int32_t>(slots[i].near[k]);
+        const std::uint32_t row = slots[i].near[k];
+        const Ints8 j = Ints8{} + static_cast<std::int32_t>(row);
         unsigned at = 0;
         for (std::uint32_t m = 0; m < n; m += 8) at |= sign_bits8(load8(scratch_.data() + m) == j) << m;
         at &= (n < 32 ? 1U << n : 0U) - 1U;
         known |= at;
-        if (at == 0) remove(slots[i].near[k], i);
+        gone[left] = row;
+        left += at == 0;
       }
-      for (unsigned rest = ~known & ((n < 32 ? 1U << n : 0U) - 1U); rest != 0; rest &= rest - 1) {
+      const unsigned add_these = ~known & ((n < 32 ? 1U << n : 0U) - 1U);
+      for (std::uint32_t k = 0; k < left; ++k) fetch_slot(gone[k]);
+      for (unsigned rest = add_these; rest != 0; rest &= rest - 1)
+        fetch_slot(scratch_[static_cast<std::uint32_t>(std::countr_zero(rest))]);
+      meanwhile();
+      for (std::uint32_t k = 0; k < left; ++k) remove(gone[k], i);
+      for (unsigned rest = add_these; rest != 0; rest &= rest - 1) {
         const std::uint32_t k = static_cast<std::uint32_t>(std::countr_zero(rest));
         add(scratch_[k], i);
         fresh(k);
       }
     } else {
+      meanwhile();
       const auto is_found = [this, n](std::uint32_t j) {
         for (std::uint32_t k = 0; k < n; ++k)
           if (scratch_[k] == j) return true;

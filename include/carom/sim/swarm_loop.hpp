@@ -7,7 +7,6 @@
 // (whoever was hit has itself looked at this ball). The events are those of EventDriven, bit for bit; what is out of the
 // ordinary, a second event of a ball at one moment above all, is left to it.
 
-#include <algorithm>
 #include <atomic>
 #include <cstdint>
 
@@ -155,22 +154,40 @@ class SwarmLoop {
         first[to] = due;
       }
     } else {
-      std::sort(first, first + n, [&run](const Due& a, const Due& b) { return earlier(run, a, b); });
+      sort_by_time(run, first, n);
     }
+    if (run.far_sighted)
+      for (std::size_t k = 0; k < 20 && k < n; ++k) fetch_parties(run, first[k]);
     return true;
+  }
+
+  /// Puts n balls of the current bucket in order: by shares of its width into bins, and then those that are close.
+  CAROM_INLINE static void sort_by_time(Run& run, Due* first, std::size_t n) {
+    constexpr std::uint32_t bins = 256;
+    run.sorted.resize(n);
+    std::uint32_t begin[bins + 1] = {};
+    PageArray<std::uint8_t>& bin = run.bins;
+    bin.resize(n);
+    for (std::size_t k = 0; k < n; ++k) {
+      const double share = run.calendar.share(first[k].time) * bins;
+      bin[k] = static_cast<std::uint8_t>(share < bins - 1 ? static_cast<std::int32_t>(share) : static_cast<std::int32_t>(bins - 1));
+      ++begin[bin[k] + 1];
+    }
+    for (std::uint32_t b = 0; b < bins; ++b) begin[b + 1] += begin[b];
+    for (std::size_t k = 0; k < n; ++k) run.sorted[begin[bin[k]]++] = first[k];
+    first[0] = run.sorted[0];
+    for (std::size_t k = 1; k < n; ++k) {
+      const Due due = run.sorted[k];
+      std::size_t to = k;
+      for (; to > 0 && earlier(run, due, first[to - 1]); --to) first[to] = first[to - 1];
+      first[to] = due;
+    }
   }
 
   /// Fetches what the events to come will read: the records of both parties, then those around them.
   CAROM_INLINE static void fetch_ahead(const Run& run) {
     const std::size_t n = run.agenda.size();
-    if (run.head + 20 < n) {
-      const Due& due = run.agenda[run.head + 20];
-      fetch_ball(run, due.ball);
-      if (due.partner < run.swarm.size()) {
-        fetch_ball(run, due.partner);
-        __builtin_prefetch(&run.shells.slots[due.partner]);
-      }
-    }
+    if (run.head + 20 < n) fetch_parties(run, run.agenda[run.head + 20]);
     if (run.head + 12 < n) {
       const std::uint32_t i = run.agenda[run.head + 12].ball;
       fetch_near(run, i);
@@ -180,6 +197,12 @@ class SwarmLoop {
       const std::uint32_t j = run.agenda[run.head + 6].partner;
       if (j < run.swarm.size()) fetch_near(run, j);
     }
+  }
+  CAROM_INLINE static void fetch_parties(const Run& run, const Due& due) {
+    fetch_ball(run, due.ball);
+    if (due.partner >= run.swarm.size()) return;
+    fetch_ball(run, due.partner);
+    __builtin_prefetch(&run.shells.slots[due.partner]);
   }
   CAROM_INLINE static void fetch_ball(const Run& run, std::uint32_t i) {
     __builtin_prefetch(&run.swarm.flights[i]);
@@ -370,8 +393,21 @@ class SwarmLoop {
       b += r[k] * g[k];
       rr += r[k] * r[k];
     }
-    const double sigma = run.swarm.template kind<equal>(i).radius + run.swarm.template kind<equal>(j).radius;
-    if (b >= 0.0 && rr > detail::apart * (sigma * sigma)) return Time<double>::never();
+    const double sigma = run.swarm.template kind<equal>(i).radius + run.swarm.template kind<equal>(j).radius, ss = sigma * sigma;
+    if (b >= 0.0 && rr > detail::apart * ss) return Time<double>::never();
+    double a = g[0] * g[0], cross;
+    for (int k = 1; k < D; ++k) a += g[k] * g[k];
+    if constexpr (D == 2) {
+      cross = (r[0] * g[1] - r[1] * g[0]) * (r[0] * g[1] - r[1] * g[0]);
+    } else {
+      const double x = r[1] * g[2] - r[2] * g[1], y = r[2] * g[0] - r[0] * g[2], z = r[0] * g[1] - r[1] * g[0];
+      cross = x * x + y * y + z * z;
+    }
+    const double c = rr - ss, ass = a * ss, d = ass - cross;
+    if (c > detail::near_contact * ss) {  // as meet_time in solve/quadratic.hpp
+      if (-d > detail::no_root * (a * rr) + detail::no_underflow) return Time<double>::never();
+      if (d > detail::near_grazing * ass + detail::no_underflow) return after(since, c / (__builtin_sqrt(d) - b));
+    }
     return after(since, detail::careful_flight(run, i, j, image, r, g, sigma));
   }
 
@@ -469,8 +505,8 @@ class SwarmLoop {
     place(run, i);
     const std::uint32_t n = shells.template gather<periodic, equal>(run.swarm, i);
     std::uint32_t* const found = shells.found();
-    shells.update(i, n, [&](std::uint32_t k) { offer(run, i, found[k], meeting(run, i, found[k])); });
-    set_exits(run, i, i);
+    shells.update(
+        i, n, [&](std::uint32_t k) { offer(run, i, found[k], meeting(run, i, found[k])); }, [&] { set_exits(run, i, i); });
     enqueue(run, i);
   }
 
