@@ -34,7 +34,8 @@ std::vector<Problem> outside_the_scope(const Scene& scene) {
   if (c.contact_time != 0) refuse(c.where, "contact_time", "Leave it out");
   if (c.regularise != Regularise::stop) refuse(c.where, "regularise", "Leave it out");
   for (const WallSpec& w : scene.walls)
-    if (scene.space.kind == SpaceKind::periodic) refuse(w.where, "a wall in a periodic space", "Use a box, or fixed balls");
+    if (scene.space.kind == SpaceKind::periodic || w.opening)
+      refuse(w.where, w.opening ? "an opening" : "a wall in a periodic space", "Use a box, or fixed balls");
   return problems;
 }
 

@@ -114,7 +114,11 @@ void judge_gases(Judgement& j) {
     if (g.packing_fraction) rules.packing_fraction(*g.packing_fraction);
     if (g.radius) rules.not_negative("radius", *g.radius, "a radius is 0 or more");
     const bool bounded = j.scene.space.kind != SpaceKind::open;
-    if (!g.radius && !g.packing_fraction) {
+    if (g.speed) rules.positive("speed", *g.speed, "a speed is above 0");
+    if (!bounded && !j.scene.tables.empty()) {
+      if (!g.radius) rules.missing("radius", "a gas in a table needs the size of its balls", "Add radius = 0.01, or 0 for points");
+      if (g.packing_fraction) rules.found("packing_fraction", " has no meaning here", "it is a share of [space], and there is none");
+    } else if (!g.radius && !g.packing_fraction) {
       rules.missing("radius", "a gas has a radius or a packing_fraction", "Add packing_fraction = 0.3");
     } else if (!bounded && !(g.radius && g.packing_fraction)) {
       rules.found(g.radius ? "packing_fraction" : "radius", " is missing",

@@ -41,6 +41,19 @@ inline constexpr std::array wall_kinds{Word<WallKind>{"segment", WallKind::segme
 inline constexpr std::array wall_sides{Word<WallSide>{"inside", WallSide::inside},
                                        Word<WallSide>{"outside", WallSide::outside}};
 
+inline constexpr std::array table_kinds{
+    Word<TableKind>{"rectangle", TableKind::rectangle}, Word<TableKind>{"circle", TableKind::circle},
+    Word<TableKind>{"ellipse", TableKind::ellipse},     Word<TableKind>{"stadium", TableKind::stadium},
+    Word<TableKind>{"mushroom", TableKind::mushroom},   Word<TableKind>{"sinai", TableKind::sinai},
+    Word<TableKind>{"lorentz", TableKind::lorentz},     Word<TableKind>{"polygon", TableKind::polygon},
+    Word<TableKind>{"triangle", TableKind::triangle},   Word<TableKind>{"wedge", TableKind::wedge},
+    Word<TableKind>{"cardioid", TableKind::cardioid},   Word<TableKind>{"pinball", TableKind::pinball},
+    Word<TableKind>{"annulus", TableKind::annulus},     Word<TableKind>{"cradle", TableKind::cradle},
+    Word<TableKind>{"pool", TableKind::pool}};
+
+inline constexpr std::array table_lattices{Word<TableLattice>{"triangular", TableLattice::triangular},
+                                           Word<TableLattice>{"square", TableLattice::square}};
+
 inline constexpr std::array search_kinds{
     Word<SearchKind>{"auto", SearchKind::automatic}, Word<SearchKind>{"all_pairs", SearchKind::all_pairs},
     Word<SearchKind>{"cells", SearchKind::cells}, Word<SearchKind>{"neighbour_list", SearchKind::neighbour_list}};

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include "carom/scene/tables.hpp"
 #include "override.hpp"
 #include "reading.hpp"
 #include "rules.hpp"
@@ -51,6 +52,7 @@ Reading read_all(std::string_view text, const std::string& file, const std::vect
     if (!std::all_of(f.keys.begin(), f.keys.end(), [&](const Path& key) { return report.judged(key); })) continue;
     report.add(nearest_node(root, f.keys.front()), std::move(f.what), std::move(f.why), std::move(f.hint));
   }
+  if (report.problems().empty()) scene = with_tables(std::move(scene));
   return {std::move(scene), report.problems()};
 }
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "keywords.hpp"
+#include "ready_tables.hpp"
 #include "table_rules.hpp"
 #include "words.hpp"
 
@@ -180,7 +181,8 @@ void judge_output(Judgement& j) {
 
 void judge_presence(Judgement& j) {
   const Scene& s = j.scene;
-  if (!s.balls.empty() || !s.lattices.empty() || !s.gases.empty()) return;
+  const bool cradle = std::any_of(s.tables.begin(), s.tables.end(), [](const TableSpec& t) { return t.kind == TableKind::cradle; });
+  if (!s.balls.empty() || !s.lattices.empty() || !s.gases.empty() || cradle) return;
   j.findings.push_back(
       {{{"ball"}, {"lattice"}, {"gas"}}, {}, "the scene has no balls", "there is nothing to move", "Add a [[ball]]"});
 }
@@ -200,6 +202,7 @@ std::vector<Finding> findings(const Scene& scene) {
   judge_lattices(j);
   judge_gases(j);
   judge_walls(j);
+  judge_tables(j);
   judge_run(j);
   judge_observe(j);
   judge_output(j);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "observe_reader.hpp"
+#include "ready_tables.hpp"
 #include "unbuilt.hpp"
 
 namespace carom::scene_text {
@@ -153,7 +154,9 @@ GasSpec read_gas(TableReader t) {
   t.number("packing_fraction", g.packing_fraction);
   t.number("radius", g.radius);
   t.number("mass", g.mass);
+  if (t.has("speed")) t.misplaced("temperature", "speed says how fast the balls are");
   t.number("temperature", g.temperature);
+  t.number("speed", g.speed);
   t.text("material", g.material);
   t.seed("seed", g.seed);
   t.finish();
@@ -197,6 +200,7 @@ WallSpec read_wall(TableReader t) {
   }
   read_shape(t, w);
   refuse_other_kinds(t, w.kind, wall_keys, wall_kinds);
+  t.flag("opening", w.opening);
   t.coordinates("velocity", w.velocity);
   t.number("restitution", w.restitution);
   t.text("material", w.material);
@@ -275,6 +279,7 @@ Scene read_tables(const toml::table& table, Report& report) {
   read_each(root, "lattice", read_lattice, s.lattices);
   read_each(root, "gas", read_gas, s.gases);
   read_each(root, "wall", read_wall, s.walls);
+  read_each(root, "table", read_ready_table, s.tables);
   read_one(root, "run", read_run, s.run);
   read_one(root, "engine", read_engine, s.engine);
   read_one(root, "observe", read_observe, s.observe);

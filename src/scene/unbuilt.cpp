@@ -26,11 +26,9 @@ constexpr std::array unbuilt{
     Unbuilt{"wall.kind", "ellipse"},
     Unbuilt{"wall.kind", "parabola"},
     Unbuilt{"wall.kind", "curve"},
-    Unbuilt{"wall.opening"},
     Unbuilt{"wall.oscillation"},
     Unbuilt{"wall.velocity", "circle"},
     Unbuilt{"wall.velocity", "polygon"},
-    Unbuilt{"table"},
     Unbuilt{"observe.survival"},
     Unbuilt{"ensemble"},
 };

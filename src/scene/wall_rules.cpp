@@ -69,6 +69,7 @@ void judge_dimension(TableRules& rules, WallKind kind, int dimension) {
 void judge_walls(Judgement& j) {
   for (std::size_t i = 0; i < j.scene.walls.size(); ++i) {
     const WallSpec& w = j.scene.walls[i];
+    if (w.table >= 0) continue;  // judged as a table
     TableRules rules(j, {"wall", std::to_string(i)}, w.where);
     const std::string_view kind = word_for<WallKind>(wall_kinds, w.kind);
     rules.unbuilt("wall.kind", kind);
@@ -97,6 +98,9 @@ void judge_walls(Judgement& j) {
     }
     if (w.restitution) rules.restitution(*w.restitution);
     rules.material(w.material);
+    if (w.opening && (w.restitution || !w.material.empty()))
+      rules.found(w.restitution ? "restitution" : "material", " has no meaning here", "nothing bounces off an opening", "",
+                  {rules.key("opening")});
   }
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 // From a scene to the smallest composition that can run it.
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "carom/motion/free_flight.hpp"
@@ -56,6 +58,11 @@ std::unique_ptr<Simulation::Engine> choose_search(const Scene& scene, World<type
                              "it takes lone balls with a radius in free flight, in a box or a periodic space at least three "
                              "shells wide, law \"restitution\" with contacts one by one, and the calendar as queue",
                              "Leave engine.search out, or use \"cells\""});
+  if (chosen && D > 1 && std::all_of(world.balls.begin(), world.balls.end(), [](const auto& b) { return b.radius == 0; })) {
+    composition.search = "walls alone";
+    composition.reasons.push_back(fmt::format("walls alone: {} points, which never meet each other", n));
+    return make_composed(scene, std::move(world), motion, std::move(composition), CellGrid<Real, D>(Layout::one_cell));
+  }
   if (chosen) search = n <= few_balls ? SearchKind::all_pairs : SearchKind::cells;
   const char* who = chosen ? "" : " (as [engine] asks)";
   if (search == SearchKind::all_pairs && !world.space.periodic()) {

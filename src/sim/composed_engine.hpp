@@ -119,6 +119,27 @@ class ComposedEngine final : public Simulation::Engine {
   [[nodiscard]] const EventCounts& counts() const override { return integrator_->ledger().counts; }
   [[nodiscard]] std::uint32_t ball_count() const override { return static_cast<std::uint32_t>(world().balls.size()); }
   [[nodiscard]] bool alive(std::uint32_t i) const override { return world().balls.at(i).alive; }
+  [[nodiscard]] std::vector<Departure> departures() const override {
+    const Scope scope(precision_.digits);
+    std::vector<Departure> all;
+    if (world().walls.openings.empty()) return all;
+    for (std::uint32_t i = 0; i < world().balls.size(); ++i) {
+      const Ball<Real, D> ball = world().balls[i];
+      const BallDetail<Real, D> detail = world().details[i];
+      if (ball.alive || detail.last_party != Party::wall || !world().walls.opens(detail.last_partner)) continue;
+      Departure& d = all.emplace_back();
+      d.ball = i;
+      d.time = nearest_time(ball.time);
+      d.wall = detail.last_partner;
+      d.feature = detail.last_feature;
+      const auto far = unwrapped(world(), i, ball.position);
+      for (int k = 0; k < D; ++k) {
+        d.position[k] = near(narrow(far[k]), world().units.length);
+        d.velocity[k] = near(ball.velocity[k], world().units.velocity());
+      }
+    }
+    return all;
+  }
   [[nodiscard]] std::uint32_t wall_count() const override { return static_cast<std::uint32_t>(world().walls.labels.size()); }
   [[nodiscard]] std::string wall_label(std::uint32_t wall) const override { return world().walls.labels.at(wall); }
   [[nodiscard]] Units units() const override { return world().units; }
@@ -285,6 +306,7 @@ class ComposedEngine final : public Simulation::Engine {
       archive(world.acceleration[k]);
     }
     for (const Real& e : world.restitution.values()) archive(e);
+    for (const bool opening : world.walls.openings) archive(opening);
     world.walls.for_each([&](const auto& shape) {
       archive(index(shape.wall));
       archive(shape.feature);

@@ -35,6 +35,7 @@ class Simulation::Engine {
   [[nodiscard]] virtual bool alive(std::uint32_t number) const = 0;
   [[nodiscard]] virtual BallState ball(std::uint32_t number) const = 0;
   [[nodiscard]] virtual Glimpse glimpse(std::uint32_t number) const;
+  [[nodiscard]] virtual std::vector<Departure> departures() const = 0;  ///< by number
   [[nodiscard]] virtual std::uint32_t wall_count() const = 0;
   [[nodiscard]] virtual std::string wall_label(std::uint32_t wall) const = 0;
   [[nodiscard]] virtual Units units() const = 0;

@@ -116,6 +116,11 @@ std::vector<Problem> judge(const Scene& scene, const FixedStepOptions& options) 
         {scene.file, scene.collision.where.line,
          fmt::format("the fixed-step mode has no law \"{}\"", scene.collision.law == LawKind::stick ? "stick" : "merge"),
          "it does restitution only", "Use law = \"restitution\", or the event-driven mode"});
+  for (const WallSpec& w : scene.walls)
+    if (w.opening || scene.space.kind == SpaceKind::periodic)
+      problems.push_back({scene.file, w.where.line,
+                          w.opening ? "the fixed-step mode has no openings" : "the fixed-step mode has no walls in a periodic space",
+                          "its walls stand once, and nothing passes them", "Leave the wall out, or use the event-driven mode"});
   return problems;
 }
 

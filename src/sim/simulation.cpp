@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "carom/core/error.hpp"
+#include "carom/scene/tables.hpp"
 #include "engine.hpp"
 
 namespace carom {
@@ -50,9 +51,12 @@ std::unique_ptr<Simulation::Engine> compose_reference(const Scene& scene) {
 }
 }  // namespace
 
-Simulation::Simulation(const Scene& scene, const Precision& precision) : engine_(compose(scene, precision)) {}
+Simulation::Simulation(const Scene& scene, const Precision& precision)
+    : engine_(has_tables_out(scene) ? compose(with_tables(scene), precision) : compose(scene, precision)) {}
 Simulation::Simulation(std::unique_ptr<Engine> engine) : engine_(std::move(engine)) {}
-Simulation Simulation::reference(const Scene& scene) { return Simulation(compose_reference(scene)); }
+Simulation Simulation::reference(const Scene& scene) {
+  return Simulation(compose_reference(has_tables_out(scene) ? with_tables(scene) : scene));
+}
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
@@ -83,6 +87,11 @@ std::uint32_t Simulation::ball_count() const { return engine_->ball_count(); }
 bool Simulation::alive(std::uint32_t number) const { return engine_->alive(number); }
 Glimpse Simulation::glimpse(std::uint32_t number) const { return engine_->glimpse(number); }
 void Simulation::return_to_last_event() { engine_->return_to_last_event(); }
+std::vector<Departure> Simulation::departures() const {
+  std::vector<Departure> all = engine_->departures();
+  std::stable_sort(all.begin(), all.end(), [](const Departure& a, const Departure& b) { return a.time < b.time; });
+  return all;
+}
 std::uint32_t Simulation::wall_count() const { return engine_->wall_count(); }
 std::string Simulation::wall_label(std::uint32_t wall) const { return engine_->wall_label(wall); }
 std::array<double, 3> Simulation::periods() const { return engine_->periods(); }

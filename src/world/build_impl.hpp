@@ -11,11 +11,13 @@
 #include "carom/core/check.hpp"
 #include "carom/core/error.hpp"
 #include "carom/law/viscoelastic.hpp"
+#include "carom/scene/tables.hpp"
 #include "carom/scene/validate.hpp"
 #include "carom/world/build.hpp"
 #include "carom/world/flat_walls.hpp"
 #include "carom/world/gases.hpp"
 #include "choose_units.hpp"
+#include "outline.hpp"
 #include "real_number.hpp"
 #include "roster.hpp"
 #include "start_contacts.hpp"
@@ -77,6 +79,7 @@ class WorldBuilder {
   /// judged like all others.
   void build_all_but_gases() {
     CAROM_EXPECT(scene_.dimension == D);
+    CAROM_EXPECT(!has_tables_out(scene_));
     problems_ = validate(scene_);
     throw_problems();
     roster_ = make_roster(scene_);
@@ -93,6 +96,7 @@ class WorldBuilder {
     fill_space();
     fill_walls();
     fill_balls();
+    judge_places();
     fill_restitution();
     judge_rest();
     find_start_contacts(scene_, world_, bits_, lines_, problems_);
@@ -163,11 +167,9 @@ class WorldBuilder {
   void fill_walls() {
     Walls<Real, D>& walls = world_.walls;
     for (const WallSpec& spec : scene_.walls) {
-      if (world_.space.periodic()) {
-        problems_.push_back({scene_.file, spec.where.line, "walls in a periodic space are not built yet",
-                             "a wall would have to stand in every period", "Use fixed balls, or a box"});
-        continue;
-      }
+      if (!judge_wall(spec)) continue;
+      if (spec.opening) walls.openings.resize(walls.labels.size() + 1);
+      if (spec.opening) walls.openings.back() = true;
       const WallId id = wall_id(walls.labels.size());
       walls.labels.push_back(std::to_string(walls.labels.size()));
       surfaces_.push_back({spec.material, spec.restitution});
@@ -186,6 +188,30 @@ class WorldBuilder {
         walls.labels.push_back(std::string(1, "xyz"[k]) + (sign > 0 ? "-" : "+"));
         surfaces_.push_back({scene_.space.material, scene_.space.restitution});
       }
+    if (!walls.openings.empty()) walls.openings.resize(walls.labels.size());
+  }
+
+  /// What a wall cannot be together with the space and the law.
+  [[nodiscard]] bool judge_wall(const WallSpec& spec) {
+    const auto refuse = [&](const char* what, const char* why, const char* hint) {
+      problems_.push_back({scene_.file, spec.where.line, what, why, hint});
+      return false;
+    };
+    if (spec.opening && world_.law != LawKind::restitution)
+      return refuse("an opening where balls stick or merge", "a ball leaves alone", "Use law = \"restitution\"");
+    if (!world_.space.periodic()) return true;
+    if (spec.kind == WallKind::plane)
+      return refuse("a plane in a periodic space", "behind it all other periods would lie", "Use a segment from edge to edge, or a box");
+    const bool closed = spec.kind == WallKind::circle || spec.kind == WallKind::ellipse || spec.kind == WallKind::curve;
+    if (closed && spec.side == WallSide::inside)
+      return refuse("a wall with the balls inside in a periodic space", "they never leave it, so nothing repeats",
+                    "Set side = \"outside\", or leave out [space]");
+    if (std::any_of(spec.velocity.begin(), spec.velocity.end(), [](const Number& v) { return v.value != 0; }))
+      return refuse("a wall that moves in a periodic space", "it would leave its cell", "Let it stand still, or use a box");
+    if (world_.law != LawKind::restitution || world_.regularise == Regularise::rest)
+      return refuse("a wall in a periodic space where balls stick, merge or come to rest", "not built yet",
+                    "Use law = \"restitution\" without rest, or a box");
+    return true;
   }
 
   void add_wall(const WallSpec& spec, WallId id) {
@@ -249,6 +275,23 @@ class WorldBuilder {
     s.velocity = velocity(spec.velocity);
     s.inside = false;
     return s;
+  }
+
+  /// A ball of a scene with closed tables starts in one of them.
+  void judge_places() {
+    const std::vector<Outline> tables = outlines(scene_);
+    if (tables.empty()) return;
+    for (const BallSpec& b : scene_.balls) {
+      const double x[2] = {b.position[0], b.position[1]};
+      if (b.fixed || std::any_of(tables.begin(), tables.end(), [&](const Outline& t) { return t.inside_or_on(x); }))
+        continue;
+      problems_.push_back({scene_.file, b.where.line,
+                           fmt::format("a ball starts at [{}, {}], outside of {}", x[0], x[1],
+                                       tables.size() == 1 ? "the table" : "all tables"),
+                           fmt::format("the table lies between [{:.6g}, {:.6g}] and [{:.6g}, {:.6g}]", tables[0].lower()[0],
+                                       tables[0].lower()[1], tables[0].upper()[0], tables[0].upper()[1]),
+                           "Move the ball into it"});
+    }
   }
 
   /// Appends a ball; `rounded`: its numbers are doubles, whatever the arithmetic.

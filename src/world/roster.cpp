@@ -6,6 +6,7 @@
 #include "carom/core/error.hpp"
 #include "carom/world/placement/gas.hpp"
 #include "carom/world/placement/lattice.hpp"
+#include "outline.hpp"
 
 namespace carom {
 namespace {
@@ -27,6 +28,19 @@ double distance_to_segment(const double* x, const Coordinates& a, const Coordina
   const double u = std::clamp(((x[0] - a[0]) * dx + (x[1] - a[1]) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
   const double ex = x[0] - (a[0] + u * dx), ey = x[1] - (a[1] + u * dy);
   return std::sqrt(ex * ex + ey * ey);
+}
+
+/// The box around all closed tables of an open space: where its gases are placed.
+Region region_of_tables(const std::vector<Outline>& tables) {
+  Region region{SpaceKind::box, 2, {}, {}};
+  for (std::size_t k = 0; k < 2; ++k) {
+    region.lower[k] = region.upper[k] = tables.front().lower()[k];
+    for (const Outline& t : tables) {
+      region.lower[k] = std::min(region.lower[k], t.lower()[k]);
+      region.upper[k] = std::max(region.upper[k], t.upper()[k]);
+    }
+  }
+  return region;
 }
 
 /// Free distance from the point x to a wall; negative on its wrong side.
@@ -62,6 +76,19 @@ double clearance(const WallSpec& wall, const double* x, int dimension) {
       break;  // refused by name
   }
   return HUGE_VAL;
+}
+
+/// The same in a periodic space, where it stands in every period: those within two periods are looked at.
+double clearance_in_periods(const WallSpec& wall, const double* x, const Region& region) {
+  double least = HUGE_VAL;
+  for (int i = -2; i <= 2; ++i)
+    for (int j = -2; j <= 2; ++j)
+      for (int k = region.dimension == 3 ? -2 : 0; k <= (region.dimension == 3 ? 2 : 0); ++k) {
+        const double at[3] = {x[0] + i * region.length(0), x[1] + j * region.length(1),
+                              region.dimension == 3 ? x[2] + k * region.length(2) : 0};
+        least = std::min(least, clearance(wall, at, region.dimension));
+      }
+  return least;
 }
 
 }  // namespace
@@ -108,16 +135,24 @@ Roster make_roster(const Scene& scene) {
       o.radius = g.balls.radius;
       obstacles.push_back(o);
     }
+  const std::vector<Outline> tables = outlines(scene);
+  const bool in_tables = roster.region.kind == SpaceKind::open && !tables.empty();
   ClearOfWalls clear;
   if (!scene.walls.empty())
-    clear = [&scene](const double* x, double radius) {
+    clear = [&](const double* x, double radius) {
       return std::all_of(scene.walls.begin(), scene.walls.end(),
-                         [&](const WallSpec& w) { return clearance(w, x, scene.dimension) > radius; });
+                         [&](const WallSpec& w) {
+                           const bool periodic = roster.region.kind == SpaceKind::periodic;
+                           return (periodic ? clearance_in_periods(w, x, roster.region) : clearance(w, x, scene.dimension)) >
+                                  radius;
+                         }) &&
+             (tables.empty() || std::any_of(tables.begin(), tables.end(), [&](const Outline& t) { return t.inside(x); }));
     };
   try {
-    std::vector<PlacedBalls> gases = place_gases(scene.gases, roster.region, obstacles, clear);
+    std::vector<PlacedBalls> gases =
+        place_gases(scene.gases, in_tables ? region_of_tables(tables) : roster.region, obstacles, clear);
     for (std::size_t i = 0; i < gases.size(); ++i) {
-      roster.region = gases[i].region;
+      if (!in_tables) roster.region = gases[i].region;
       const GasSpec& spec = scene.gases[i];
       roster.groups.push_back({std::move(gases[i]), spec.mass, spec.material, spec.where.line});
     }

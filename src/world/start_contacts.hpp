@@ -14,6 +14,7 @@
 #include "carom/core/error.hpp"
 #include "carom/world/near_pairs.hpp"
 #include "carom/world/state.hpp"
+#include "carom/world/wall_images.hpp"
 #include "carom/world/world.hpp"
 
 namespace carom::detail {
@@ -71,7 +72,16 @@ class StartContacts {
     for_each_near_pair(world_, positions, 0.0,
                        [this](std::uint32_t i, std::uint32_t j, const Image<D>& image) { judge_pair(i, j, image); });
     for (std::uint32_t i = 0; i < world_.balls.size(); ++i)
-      world_.walls.for_each([&](const auto& shape) { judge_wall(i, shape); });
+      world_.walls.for_each([&](const auto& shape) {
+        if (world_.walls.opens(index(shape.wall))) return;
+        image_ = Image<D>{};
+        if (!world_.space.periodic()) return judge_wall(i, shape);
+        const Real near = world_.balls[i].radius * Real(1.001) + far_enough(shape);
+        for_each_image(world_.space, shape, world_.balls[i].position, near, [&](const Image<D>& n) {
+          image_ = n;
+          judge_wall(i, moved_by(world_.space, shape, n));
+        });
+      });
   }
 
  private:
@@ -134,6 +144,16 @@ class StartContacts {
     contact.partner = i;
     contact.image = -image;
     hold_contact(world_, j, contact);
+  }
+
+  /// What rounding can hide of a distance.
+  template <class Shape>
+  [[nodiscard]] Real far_enough(const Shape& shape) const {
+    using std::abs;
+    Real size(0);
+    if constexpr (requires { reach_of(shape); })
+      for (int k = 0; k < D; ++k) size += abs(middle_of(shape)[k]) + reach_of(shape) + world_.space.edge[k];
+    return 64 * unit_roundoff<Real>() * size;
   }
 
   [[nodiscard]] Real doubt_of(const Vec<Real, D>& direction, std::uint32_t i, const Vec<Real, D>& reference) const {
@@ -244,6 +264,7 @@ class StartContacts {
     contact.party = Party::wall;
     contact.partner = index(shape.wall);
     contact.feature = shape.feature;
+    contact.image = image_;
     contact.side = side;
     hold_contact(world_, i, contact);
   }
@@ -264,6 +285,7 @@ class StartContacts {
   const std::vector<int>& lines_;
   std::vector<Problem>& problems_;
   int scene_bits_;
+  Image<D> image_{};  // of the wall that is judged
 };
 
 template <class Real, int D>

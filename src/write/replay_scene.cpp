@@ -40,6 +40,8 @@ Json wall(const WallSpec& w) {
       break;  // refused by name
   }
   if (!w.velocity.empty()) j["velocity"] = numbers(w.velocity);
+  if (w.opening) j["opening"] = true;
+  if (w.table >= 0) j["table"] = w.table;
   return j;
 }
 

@@ -7,6 +7,7 @@
 #include "carom/predict/leaving.hpp"
 #include "carom/solve/accelerated.hpp"
 #include "carom/solve/quadratic.hpp"
+#include "carom/world/wall_images.hpp"
 #include "carom/world/world.hpp"
 
 namespace carom {
@@ -184,30 +185,61 @@ template <Motion M>
   return first;
 }
 
-/// The meeting of ball i with one piece of a wall as an event.
+/// The moment at which the centre of ball i comes to an opening: it leaves.
 template <Motion M, class Shape>
-[[nodiscard]] inline Event<typename M::Real, M::dimension> predict_wall(const M& motion,
+[[nodiscard]] inline Event<typename M::Real, M::dimension> predict_exit(const M& motion,
                                                                         const World<typename M::Real, M::dimension>& world,
-                                                                        std::uint32_t i, const Shape& shape) {
+                                                                        std::uint32_t i, const Shape& placed,
+                                                                        const Image<M::dimension>& image) {
+  using Real = typename M::Real;
+  Event<Real, M::dimension> event;
+  Ball<Real, M::dimension> centre = world.balls[i];
+  centre.radius = Real(0);
+  const auto* contact = wall_contact(world, i, index(placed.wall), placed.feature, image);
+  Real flight;
+  if constexpr (std::is_same_v<Shape, Segment<Real>>) {
+    flight = flight_to_segment(motion, world, centre, placed, contact).flight;
+  } else {
+    flight = flight_to_wall(motion, world, centre, placed, touch_of_wall(contact, centre));
+  }
+  if (flight == never<Real>()) return event;
+  event.time = after(centre.time, flight);
+  if (event.time.is_never()) return event;
+  event.kind = EventKind::motion_change;
+  event.ball = i;
+  event.partner = index(placed.wall);
+  event.feature = placed.feature;
+  event.image = image;
+  event.stamp = centre.stamp;
+  return event;
+}
+
+/// The meeting of ball i with one piece of a wall, which stands at `placed`, as an event.
+template <Motion M, class Shape>
+[[nodiscard]] inline Event<typename M::Real, M::dimension> meet_wall(const M& motion,
+                                                                     const World<typename M::Real, M::dimension>& world,
+                                                                     std::uint32_t i, const Shape& shape, const Shape& placed,
+                                                                     const Image<M::dimension>& image) {
   using Real = typename M::Real;
   constexpr int D = M::dimension;
   const Ball<Real, D>& ball = world.balls[i];
   Event<Real, D> event;
   if (ball.fixed) return event;
+  if (world.walls.opens(index(shape.wall))) return predict_exit(motion, world, i, placed, image);
   if constexpr (M::can_rest) {
     if (ball.held != 0 && ball.held == flat_number(world.walls, shape)) return predict_leaving(motion, world, i, shape);
     if (ball.held != 0 && is_end_of_rest(world, ball, shape)) return event;
   }
-  const Contact<D>* contact = wall_contact(world, i, index(shape.wall), shape.feature);
+  const Contact<D>* contact = wall_contact(world, i, index(shape.wall), shape.feature, image);
   if constexpr (M::can_rest)
     if (contact != nullptr && contact->left) return event;
   Real flight;
   if constexpr (std::is_same_v<Shape, Segment<Real>>) {
-    const SidedFlight<Real> sided = flight_to_segment(motion, world, ball, shape, contact);
+    const SidedFlight<Real> sided = flight_to_segment(motion, world, ball, placed, contact);
     flight = sided.flight;
     event.side = sided.side;
   } else {
-    flight = flight_to_wall(motion, world, ball, shape, touch_of_wall(contact, ball));
+    flight = flight_to_wall(motion, world, ball, placed, touch_of_wall(contact, ball));
   }
   if (flight == never<Real>()) return event;
   event.time = after(ball.time, flight);
@@ -217,8 +249,19 @@ template <Motion M, class Shape>
   event.ball = i;
   event.partner = index(shape.wall);
   event.feature = shape.feature;
+  event.image = image;
   event.stamp = ball.stamp;
   return event;
+}
+
+/// The same for the piece in period `image` of a periodic space, relative to the ball as stored.
+template <Motion M, class Shape>
+[[nodiscard]] inline Event<typename M::Real, M::dimension> predict_wall(const M& motion,
+                                                                        const World<typename M::Real, M::dimension>& world,
+                                                                        std::uint32_t i, const Shape& shape,
+                                                                        const Image<M::dimension>& image = {}) {
+  if (image == Image<M::dimension>{}) return meet_wall(motion, world, i, shape, shape, image);
+  return meet_wall(motion, world, i, shape, moved_by(world.space, shape, image), image);
 }
 
 }  // namespace carom

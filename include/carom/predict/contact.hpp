@@ -9,13 +9,13 @@ namespace carom {
 /// them was hit since (or they touch by start), so that approaching means now.
 enum class Touch : std::uint8_t { none, spent, live };
 
-/// The contact that ball i holds with a wall feature, or nullptr.
+/// The contact that ball i holds with a wall feature, in a periodic space with that of one period; or nullptr.
 template <class Real, int D>
 [[nodiscard]] inline const Contact<D>* wall_contact(const World<Real, D>& world, std::uint32_t i, std::uint32_t wall,
-                                                    std::int32_t feature) {
+                                                    std::int32_t feature, const Image<D>& image = {}) {
   if (!world.balls[i].in_contact) return nullptr;
   for (const Contact<D>& c : world.details[i].contacts)
-    if (c.party == Party::wall && c.partner == wall && c.feature == feature) return &c;
+    if (c.with(Party::wall, wall, feature, image)) return &c;
   return nullptr;
 }
 

@@ -97,13 +97,15 @@ struct LatticeSpec {
   Where where{};
 };
 
-/// Balls placed without overlap, with Maxwell velocities and zero total momentum.
+/// Balls placed without overlap, with Maxwell velocities and zero total momentum, or with one speed; where the space is open
+/// and there are closed tables, inside those.
 struct GasSpec {
   std::int64_t count = 0;
   std::optional<Number> packing_fraction{};  ///< [-] this entry's own share of the space
   std::optional<Number> radius{};            ///< [length]
   Number mass = 1.0;                       ///< [mass] DEFAULT: 1
   Number temperature = 1.0;                ///< k_B T [energy], exact for the sample. DEFAULT: 1
+  std::optional<Number> speed{};           ///< [length/time] of every ball, its direction drawn. DEFAULT: as the temperature says
   std::string material{};                    ///< DEFAULT: none
   std::uint64_t seed = 1;                  ///< DEFAULT: 1
   Where where{};
@@ -122,7 +124,7 @@ struct OscillationSpec {
 /// A ball touches a wall at a distance equal to its radius.
 struct WallSpec {
   WallKind kind = WallKind::plane;
-  Coordinates from{}, to{};              ///< segment: its ends [length]
+  Coordinates from{}, to{};              ///< segment, arc: its ends; arc: DEFAULT as its angles say [length]
   Coordinates point{}, normal{};         ///< plane: [length], and the side on which balls stay
   Coordinates centre{};                  ///< circle (sphere in 3-D), arc, ellipse, curve; parabola: its vertex [length]
   Number radius = 1.0;                   ///< circle, arc: [length], > 0
@@ -153,14 +155,14 @@ struct TableSpec {
   TableKind kind = TableKind::rectangle;
   Coordinates centre{};        ///< [length] DEFAULT: the origin
   Number angle = 0.0;          ///< turned by, anticlockwise about its centre [rad]. DEFAULT: 0; wedge: see `opening_angle`
-  Coordinates size{};          ///< rectangle, sinai, pool: width and height [length]
-  Number radius = 1.0;         ///< circle, stadium, sinai, lorentz, pinball [length], > 0
-  Number length = 1.0;         ///< stadium: of the straight parts; wedge, triangle: of a side [length]
+  Coordinates size{};          ///< rectangle, sinai: width and height [length]
+  Number radius = 1.0;         ///< circle, stadium, sinai, lorentz, pinball, cradle (of a ball) [length], > 0
+  Number length = 1.0;         ///< stadium: of the straight parts; wedge: of a side; pool: of the long side [length]
   std::vector<Number> axes{};  ///< ellipse: semi-axes [length]
   Number cap_radius = 1.0, stem_width = 0.5, stem_length = 1.0;  ///< mushroom [length]
   std::int64_t sides = 3;      ///< polygon
   Number side = 1.0;           ///< polygon: length of a side [length]
-  std::vector<Number> lengths{};       ///< triangle: its three sides [length]
+  std::vector<Number> lengths{};  ///< triangle: its three sides [length]
   Number opening_angle = 1.0;  ///< wedge: between its two sides [rad]; written `angle`
   TableLattice lattice = TableLattice::triangular;  ///< lorentz
   Number spacing = 2.5;        ///< lorentz, pinball: of the centres [length]
@@ -226,7 +228,8 @@ struct PoincareSpec {
 struct SurvivalSpec {
   std::optional<Number> from{}, to{};  ///< [time] the escape rate is fitted between them. DEFAULT: the whole run
   std::int64_t bins = 100;             ///< of the curve
-  std::string file{};                  ///< DEFAULT: "survival.csv"
+  std::string file{};                  ///< of the curve. DEFAULT: "survival.csv"
+  std::string departures{};            ///< file of who left when and where. DEFAULT: "departures.csv"
 };
 /// The part of the boundary map's cells that the orbit visits.
 struct PhaseSpaceSpec {
@@ -302,7 +305,8 @@ struct Scene {
   std::vector<LatticeSpec> lattices{};
   std::vector<GasSpec> gases{};
   std::vector<WallSpec> walls{};    ///< those of [[wall]], then those of [[table]]
-  std::vector<TableSpec> tables{};  ///< as written; their walls are in `walls`
+  std::vector<TableSpec> tables{};  ///< as written
+  bool tables_in = false;           ///< their walls, balls and space are in this scene; see `with_tables`. DEFAULT: false
   std::optional<EnsembleSpec> ensemble{};
   RunSpec run;
   EngineSpec engine;

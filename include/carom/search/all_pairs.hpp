@@ -26,6 +26,10 @@ class AllPairs {
     return {};
   }
   template <class F>
+  void for_each_wall(const WorldType& world, std::uint32_t, F&& f) const {
+    world.walls.for_each([&](const auto& shape) { f(shape, Image<D>{}); });
+  }
+  template <class F>
   void for_each_partner(const WorldType& world, std::uint32_t i, F&& f) const {
     const std::uint32_t n = static_cast<std::uint32_t>(world.balls.size());
     for (std::uint32_t j = 0; j < n; ++j)

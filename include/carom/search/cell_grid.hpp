@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "carom/predict/event.hpp"
+#include "carom/search/near_walls.hpp"
 #include "carom/solve/gap.hpp"
 #include "carom/world/state.hpp"
 #include "carom/world/world.hpp"
@@ -50,6 +51,8 @@ class CellGrid {
       for (int k = 0; k < D; ++k) tiles_[i][k] = tile_of(x[k], k);
       link(i);
     }
+    if (periodic_ && !world.walls.empty())
+      near_walls_.reset(world, lower_, edge_, cells_, Real(reach_ / 2), margin);
   }
 
   /// The state of ball i was written: its path is drawn on from another period, or it has left. A merged ball goes on from
@@ -116,8 +119,23 @@ class CellGrid {
     link(e.ball);
   }
 
+  /// Calls f(shape, image) for every piece of a wall that ball i may meet in its tile.
+  template <class F>
+  void for_each_wall(const WorldType& world, std::uint32_t i, F&& f) const {
+    if (!periodic_) return world.walls.for_each([&](const auto& shape) { f(shape, Image<D>{}); });
+    if (world.walls.empty()) return;
+    Image<D> period{};
+    Tile cell = tiles_[i];
+    for (int k = 0; k < D; ++k) {
+      const std::int64_t n = (cell[k] < 0 ? cell[k] - cells_[k] + 1 : cell[k]) / cells_[k];
+      period[k] = static_cast<std::int32_t>(n);
+    }
+    near_walls_.for_each(world, cell_of(cell), period, f);
+  }
+
   template <class F>
   void for_each_partner(const WorldType& world, std::uint32_t i, F&& f) const {
+    if (points_) return;
     Tile d;
     for (int k = 0; k < D; ++k) d[k] = -range_[k];
     while (true) {
@@ -134,6 +152,7 @@ class CellGrid {
   /// Only the partners that the crossing `e` has brought within reach.
   template <class F>
   void for_each_new_partner(const WorldType& world, const EventType& e, F&& f) const {
+    if (points_) return;
     const int axis = static_cast<int>(e.partner / 2);
     Tile d;
     for (int k = 0; k < D; ++k) d[k] = -range_[k];
@@ -170,6 +189,7 @@ class CellGrid {
       ++alive;
     }
     reach_ = largest * (1 + margin);
+    points_ = D > 1 && largest == 0;
     bounded_ = !world.space.periodic();
     periodic_ = world.space.periodic();
     std::array<double, static_cast<std::size_t>(D)> extent{};
@@ -261,6 +281,7 @@ class CellGrid {
 
   Layout layout_;
   bool bounded_ = false, periodic_ = false;
+  bool points_ = false;  // in a plane or in space points never meet
   double reach_ = 0;  // largest diameter and margin
   Vec<Real, D> lower_ = Vec<Real, D>::Zero(), edge_ = Vec<Real, D>::Zero();
   Tile cells_{}, range_{};
@@ -268,6 +289,7 @@ class CellGrid {
   std::vector<std::array<std::int64_t, static_cast<std::size_t>(D)>> seen_;  // images when last told
   std::vector<std::uint32_t> first_;                                         // by cell: a list of balls
   std::vector<std::uint32_t> next_, previous_;
+  NearWalls<Real, D> near_walls_;  // of a periodic space
 };
 
 }  // namespace carom

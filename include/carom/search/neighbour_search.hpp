@@ -8,8 +8,8 @@
 
 namespace carom {
 
-/// `reset` starts on a world as it is at `now`. `for_each_partner` calls f(j, image) for every partner that ball i may meet
-/// before `next_bookkeeping`; `cross` carries such an event out, and `for_each_new_partner` names those that it brought
+/// `reset` starts on a world as it is at `now`. `for_each_wall` calls f(shape, image) for every piece of a wall and
+/// `for_each_partner` f(j, image) for every partner that ball i may meet before `next_bookkeeping`; `cross` carries such an event out, and `for_each_new_partner` names those that it brought
 /// within reach. `moved` is told of a rewritten state. No search ever writes a ball, so every search gives the same events.
 template <class S, class M>
 concept NeighbourSearch = requires(S& s, const S& cs, const M& m, const typename S::WorldType& w, std::uint32_t i,

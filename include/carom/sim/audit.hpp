@@ -7,6 +7,7 @@
 
 #include "carom/world/near_pairs.hpp"
 #include "carom/world/state.hpp"
+#include "carom/world/wall_images.hpp"
 
 namespace carom {
 
@@ -85,7 +86,16 @@ template <Motion M, class WorldLike>
   for (std::uint32_t i = 0; i < at.size(); ++i) {
     if (!world.balls[i].alive || world.balls[i].fixed) continue;
     world.walls.for_each([&](const auto& shape) {
+      if (world.walls.opens(index(shape.wall))) return;
       Vec<Real, D> x = at[i];
+      if (world.space.periodic()) {
+        for_each_image(world.space, shape, x, world.balls[i].radius, [&](const Image<D>& n) {
+          const Real gap = moved_by(world.space, shape, n).gap(x);
+          note(Real(world.balls[i].radius - gap), ulps * (2 * reach[i] + abs(gap)), world.balls[i].radius, i, index(shape.wall),
+               true);
+        });
+        return;
+      }
       if constexpr (requires { shape.velocity; }) x -= shape.velocity * elapsed(world.start, t);
       const Real depth = world.balls[i].radius - shape.gap(x);
       note(depth, ulps * (2 * reach[i] + abs(shape.gap(x))), world.balls[i].radius, i, index(shape.wall), true);

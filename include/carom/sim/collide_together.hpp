@@ -68,7 +68,9 @@ void Collider<M>::hold_together(WorldType& world, const typename Together<Real, 
   const std::uint32_t i = c.event.ball, j = c.event.partner;
   if (world.balls[i].time != now) return;
   if (c.event.kind == EventKind::ball_wall) {
-    hold_contact(world, i, Contact<D>{Party::wall, j, c.event.feature, {}, c.event.side, acted, world.balls[i].stamp, 0});
+    hold_contact(world, i,
+                 Contact<D>{Party::wall, j, c.event.feature, image_since(world, i, c.event.image, images[c.a]), c.event.side,
+                            acted, world.balls[i].stamp, 0});
   } else if (world.balls[j].time == now) {
     hold_pair(world, i, j, c.event.image, images[c.a], images[c.b], acted);
   }

@@ -57,6 +57,7 @@ class Collider {
   Verdict collide(WorldType& world, const M& motion, const Event<Real, D>& event, Sink&& sink) {
     moved_.clear();
     exactness.unresolved += event.unresolved;
+    if (event.kind == EventKind::motion_change && world.walls.opens(event.partner)) return let_out(world, motion, event);
     if constexpr (M::can_rest)
       if (event.kind == EventKind::motion_change) return leave(world, motion, event);
     return event.kind == EventKind::ball_ball ? ball_ball(world, motion, event, sink)
@@ -158,16 +159,16 @@ class Collider {
     Vector x = position_at(motion, world, i, now);
     Real gap(0);
     Support support = Support::curve;
-    world.walls.with(event.partner, event.feature, [&](const auto& shape) {
+    with_wall(world, event.partner, event.feature, event.image, [&](const auto& shape, const auto& placed) {
       impact.vb = wall_velocity(shape);
       const Vector at = x - wall_drift(world, shape, now);
-      Vector n = towards_ball<Real, D>(shape, at, event.side);
+      Vector n = towards_ball<Real, D>(placed, at, event.side);
       if (singular_contact<Real, D>(shape, world.balls[i].radius)) {  // a point at a vertex is sent back
         ++exactness.singular;
         n = -(impact.va - impact.vb);
       }
       for (int k = 0; k < D; ++k) impact.r[k] = W(Real(-n[k]));
-      gap = note_gap(exactness, Real(shape.gap(at) - world.balls[i].radius), world.balls[i].radius);
+      gap = note_gap(exactness, Real(placed.gap(at) - world.balls[i].radius), world.balls[i].radius);
       if (flat_number(world.walls, shape) != 0) support = Support::corner;
     });
 
@@ -175,6 +176,7 @@ class Collider {
     Outcome<Real, D> outcome = resolve_impact(impact);
     const bool tie = is_tie(a, now, Party::wall, event.partner, event.feature);
     const Time<Real> before = a.last_hit;
+    const Turns<D> image = a.image;
     const bool again = is_last(a, Party::wall, event.partner, event.feature);
     std::uint8_t landed_on = 0;
     if constexpr (M::can_rest) {
@@ -191,7 +193,8 @@ class Collider {
       exactness.summed_bounces += outcome.impulse > 0;
     }
     hold_contact(world, i,
-                 Contact<D>{Party::wall, event.partner, event.feature, {}, event.side, true, world.balls[i].stamp, 0});
+                 Contact<D>{Party::wall, event.partner, event.feature, image_since(world, i, event.image, image), event.side,
+                            true, world.balls[i].stamp, 0});
     sides_.keep(world, i, Vector(-narrowed(impact.r)));
     if (landed_on != 0 && outcome.impulse == 0) {  // it lies there, and nothing hits anything
       note_potential(world, i);
@@ -224,8 +227,8 @@ class Collider {
   }
 
   static void note_place(const WorldType& world, const Event<Real, D>& event, const Vector& x, Record<Real, D>& record) {
-    world.walls.with(event.partner, event.feature, [&](const auto& shape) {
-      fill_place(record, shape, Vector(x - wall_drift(world, shape, event.time)), event.side);
+    with_wall(world, event.partner, event.feature, event.image, [&](const auto& shape, const auto& placed) {
+      fill_place(record, placed, Vector(x - wall_drift(world, shape, event.time)), event.side);
     });
   }
 
@@ -268,6 +271,43 @@ class Collider {
       }
     });
     return number;
+  }
+
+  /// Ball event.ball leaves through an opening, with all of its energy.
+  Verdict let_out(WorldType& world, const M& motion, const Event<Real, D>& event) {
+    const std::uint32_t i = event.ball;
+    BallDetail<Real, D>& ball = world.details[i];
+    if constexpr (M::can_rest) inject(books, work_at_rest(world, i, event.time));
+    write_motion(world, motion, i, position_at(motion, world, i, event.time), velocity_at(motion, world, i, event.time),
+                 event.time, moved_);
+    if (!detail::infinite(ball.mass)) {
+      const W energy = energy_of(world, i);
+      books.injected = books.injected - energy;
+    }
+    world.balls[i].alive = false;
+    world.balls[i].in_contact = false;
+    ball.contacts.clear();
+    remember(ball, event.time, Party::wall, event.partner, event.feature);
+    ++counts.other;
+    return Verdict::go_on;
+  }
+
+  /// Kinetic and potential, of a ball as stored.
+  [[nodiscard]] static W energy_of(const WorldType& world, std::uint32_t i) {
+    const Vector& v = world.balls[i].velocity;
+    W energy = wide_dot<Real, D>(v, v) * W(Real(1) / 2);
+    if constexpr (M::accelerated) {
+      const auto x = unwrapped(world, i, world.balls[i].position);
+      for (int k = 0; k < D; ++k) energy = energy - x[k] * W(world.acceleration[k]);
+    }
+    return W(world.details[i].mass) * energy;
+  }
+
+  /// The period that a partner stands in, seen from where ball i is stored now; it was `image` when details.image was
+  /// `before`.
+  [[nodiscard]] static Image<D> image_since(const WorldType& world, std::uint32_t i, Image<D> image, const Turns<D>& before) {
+    for (int k = 0; k < D; ++k) image[k] -= static_cast<std::int32_t>(world.details[i].image[k] - before[k]);
+    return image;
   }
 
   /// Ball event.ball slides off the end of the wall that it rests on.

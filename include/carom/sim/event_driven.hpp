@@ -125,7 +125,7 @@ class EventDriven {
   /// Law "symmetric": together with all contacts that act at the same moment, if there are any.
   template <class Sink>
   Verdict collide(const EventType& event, Sink&& sink) {
-    if (world_.simultaneous == Simultaneous::symmetric) {
+    if (world_.simultaneous == Simultaneous::symmetric && event.kind != EventKind::motion_change) {
       const auto& found = touching_.around(world_, motion_, search_, event);
       if (found.size() > 1) return collider_.collide_together(world_, motion_, found, sink);
     }
@@ -144,10 +144,7 @@ class EventDriven {
     EventType& first = next_[i];
     first = EventType{};
     if (world_.balls[i].alive) {
-      world_.walls.for_each([&](const auto& shape) {
-        const EventType e = predict_wall(motion_, world_, i, shape);
-        if (e.kind != EventKind::none && precedes(e, first)) first = e;
-      });
+      consider_walls(i);
       search_.for_each_partner(world_, i, [&](std::uint32_t j, const Image<D>& image) {
         consider_meeting(motion_, world_, i, j, image, first);
       });
@@ -155,9 +152,19 @@ class EventDriven {
     enqueue(i);
   }
 
-  /// Ball e.ball passes into another cell: only the partners that this brings within reach are new.
+  void consider_walls(std::uint32_t i) {
+    EventType& first = next_[i];
+    search_.for_each_wall(world_, i, [&](const auto& shape, const Image<D>& image) {
+      const EventType e = predict_wall(motion_, world_, i, shape, image);
+      if (e.kind != EventKind::none && precedes(e, first)) first = e;
+    });
+  }
+
+  /// Ball e.ball passes into another cell: only the partners that this brings within reach are new, and in a periodic space
+  /// the walls.
   void cross(const EventType& e) {
     search_.cross(e);
+    if (world_.space.periodic()) consider_walls(e.ball);
     search_.for_each_new_partner(world_, e, [&](std::uint32_t j, const Image<D>& image) {
       consider_meeting(motion_, world_, e.ball, j, image, next_[e.ball]);
     });
@@ -181,7 +188,7 @@ class EventDriven {
   [[nodiscard]] std::int64_t patience() const { return 1024 + static_cast<std::int64_t>(next_.size() * next_.size()); }
 
   [[nodiscard]] bool nothing_left(const Time<Real>& t) const {
-    if (!world_.space.periodic() || !world_.walls.empty()) return false;
+    if (!world_.space.periodic()) return false;
     for (const EventType& e : next_)
       if (e.kind != EventKind::none) return false;
     return parted(motion_, world_, now_, t);

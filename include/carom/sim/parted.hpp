@@ -1,5 +1,5 @@
 #pragma once
-// Whether balls in a periodic space can meet at all: a proof for motions that repeat, so that a run need not wait for ever.
+// Whether balls in a periodic space can meet anything at all: a proof for motions that repeat, so that a run need not wait for ever.
 
 #include <cmath>
 #include <cstdint>
@@ -12,8 +12,8 @@
 
 namespace carom {
 
-/// True if it is certain that no two balls will ever meet, given that none did between `since` and `now` and that no wall
-/// stands in the space. A pair at relative rest keeps its distance. A pair whose relative velocity v is along one axis is
+/// True if it is certain that no two balls will ever meet, nor any ball a wall, given that none did between `since` and
+/// `now`; walls are at rest, as fixed balls are. A pair at relative rest keeps its distance. A pair whose relative velocity v is along one axis is
 /// where it was, up to whole periods, after every edge / |v|: what did not meet in such a time never will. (Twice that is
 /// asked for, so that rounding cannot matter.) Other pairs are not judged.
 template <Motion M>
@@ -23,20 +23,26 @@ template <Motion M>
   using std::abs;
   const Real waited = elapsed(since, now);
   const std::uint32_t n = static_cast<std::uint32_t>(world.balls.size());
+  // The same way again and again, or no way at all.
+  const auto repeats = [&](const Vec<Real, M::dimension>& v) {
+    int moving = 0;
+    for (int k = 0; k < M::dimension; ++k) {
+      const Real speed = abs(v[k]);
+      moving += speed > 0;
+      if (speed > 0 && waited * speed < 2 * world.space.edge[k]) return false;
+    }
+    return moving <= 1;
+  };
+  if (!world.walls.empty())
+    for (const auto& ball : world.balls)
+      if (ball.alive && !ball.fixed && (M::accelerated || !repeats(ball.velocity))) return false;
   for (std::uint32_t i = 0; i < n; ++i)
     for (std::uint32_t j = i + 1; j < n; ++j) {
       const auto &a = world.balls[i], &b = world.balls[j];
       if (!a.alive || !b.alive || (a.fixed && b.fixed)) continue;
       if (M::accelerated && a.fixed != b.fixed) return false;
       // Not from the velocities now, which in a long fall have lost what they differ by.
-      const Vec<Real, M::dimension> relative = relative_state(motion, world, a, b, Image<M::dimension>{}).v;
-      int moving = 0;
-      for (int k = 0; k < M::dimension; ++k) {
-        const Real v = abs(relative[k]);
-        moving += v > 0;
-        if (v > 0 && waited * v < 2 * world.space.edge[k]) return false;
-      }
-      if (moving > 1) return false;
+      if (!repeats(relative_state(motion, world, a, b, Image<M::dimension>{}).v)) return false;
     }
   return true;
 }

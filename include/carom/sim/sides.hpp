@@ -25,6 +25,12 @@ class Sides {
       sides_.clear();
       const Ball<Real, D>& ball = world.balls[i];
       if (ball.radius > 0) return;
+      if (world.space.periodic()) {
+        before_ = ball;
+        image_ = world.details[i].image;
+        held_ = world.details[i].contacts;
+        return;
+      }
       for (const Segment<Real>& s : world.walls.segments) {
         const Contact<D>* held = wall_contact(world, i, index(s.wall), s.feature);
         const Real height = s.height(Vec<Real, D>(ball.position - drift(world, s, ball.time)));
@@ -35,6 +41,7 @@ class Sides {
   /// ... and after it. `normal` points away from what the ball has just hit, with any length.
   void keep(WorldType& world, std::uint32_t i, const Vec<Real, D>& normal) const {
     if constexpr (D == 2) {
+      if (world.space.periodic() && !(world.balls[i].radius > 0)) keep_in_periods(world, i, normal);
       for (std::size_t k = 0; k < sides_.size(); ++k) {
         const Segment<Real>& s = world.walls.segments[k];
         if (sides_[k] == 0 || !lost(world, i, s, sides_[k], normal)) continue;
@@ -45,6 +52,28 @@ class Sides {
   }
 
  private:
+  /// The same where each segment stands in every period.
+  void keep_in_periods(WorldType& world, std::uint32_t i, const Vec<Real, 2>& normal) const {
+    const Ball<Real, D>& ball = world.balls[i];
+    for (const Segment<Real>& s : world.walls.segments)
+      for_each_image(world.space, s, ball.position, position_doubt(ball.position, s, world.details[i].reach),
+                     [&](const Image<D>& image) {
+                       if (wall_contact(world, i, index(s.wall), s.feature, image) != nullptr) return;
+                       Image<D> before = image;  // seen from where the ball was stored
+                       for (int k = 0; k < D; ++k)
+                         before[k] += static_cast<std::int32_t>(world.details[i].image[k] - image_[k]);
+                       const std::int8_t side = side_before(world, s, before);
+                       if (side == 0 || !lost(world, i, moved_by(world.space, s, image), side, normal)) return;
+                       hold_contact(world, i, Contact<D>{Party::wall, index(s.wall), s.feature, image, side, false, 0, 0});
+                     });
+  }
+  [[nodiscard]] std::int8_t side_before(const WorldType& world, const Segment<Real>& s, const Image<D>& image) const {
+    for (const Contact<D>& c : held_)
+      if (c.with(Party::wall, index(s.wall), s.feature, image)) return c.side;
+    const Real height = moved_by(world.space, s, image).height(before_.position);
+    return std::int8_t(height > 0 ? 1 : height < 0 ? -1 : 0);
+  }
+
   /// The stored position alone does not say any more that the ball is on that side of the segment.
   [[nodiscard]] static bool lost(const WorldType& world, std::uint32_t i, const Segment<Real>& s, std::int8_t side,
                                  const Vec<Real, 2>& normal) {
@@ -71,7 +100,10 @@ class Sides {
            (reach + abs(at[0]) + abs(at[1]) + abs(s.from[0]) + abs(s.from[1]) + abs(s.to[0]) + abs(s.to[1]));
   }
 
-  std::vector<std::int8_t> sides_;  // of a point, by segment
+  std::vector<std::int8_t> sides_;  // of a point, by segment; in a periodic space the three below
+  Ball<Real, D> before_;
+  Turns<D> image_{};
+  std::vector<Contact<D>> held_;
 };
 
 }  // namespace carom

@@ -77,6 +77,16 @@ struct MotionChange {
 
 using MotionSink = std::function<void(const MotionChange&)>;
 
+/// A ball that has left through an opening, in the user's units. Components beyond the dimension are 0.
+struct Departure {
+  std::uint32_t ball = 0;
+  double time = 0.0;                 ///< [time]
+  std::array<double, 3> position{};  ///< of its centre, not wrapped
+  std::array<double, 3> velocity{};
+  std::uint32_t wall = 0;            ///< the opening
+  std::int32_t feature = 0;
+};
+
 /// What runs a scene, and why that was chosen.
 struct Composition {
   std::string motion, search, queue;
@@ -127,6 +137,7 @@ class Simulation {
   [[nodiscard]] std::uint32_t ball_count() const;            ///< with those that have left
   [[nodiscard]] bool alive(std::uint32_t number) const;      ///< false: it has left
   [[nodiscard]] Glimpse glimpse(std::uint32_t number) const; ///< at time()
+  [[nodiscard]] std::vector<Departure> departures() const;   ///< up to time(), by time, then by number
   [[nodiscard]] std::uint32_t wall_count() const;                      ///< [[wall]]s, then the faces of the box
   [[nodiscard]] std::string wall_label(std::uint32_t wall) const;
   [[nodiscard]] int dimension() const;

@@ -113,14 +113,14 @@ class TogetherMaker {
     impact.mb = infinity<Real>();
     c.radii = world_.balls[a.ball].radius;
     bool flat = false;
-    world_.walls.with(c.event.partner, c.event.feature, [&](const auto& shape) {
+    with_wall(world_, c.event.partner, c.event.feature, c.event.image, [&](const auto& shape, const auto& placed) {
       impact.vb = wall_velocity(shape);
       const Vector at = a.position - wall_drift(world_, shape, now_);
-      Vector n = towards_ball<Real, D>(shape, at, c.event.side);
+      Vector n = towards_ball<Real, D>(placed, at, c.event.side);
       c.singular = singular_contact<Real, D>(shape, c.radii);
       if (c.singular) n = -(impact.va - impact.vb);
       for (int k = 0; k < D; ++k) impact.r[k] = W(Real(-n[k]));
-      c.gap = shape.gap(at) - c.radii;
+      c.gap = placed.gap(at) - c.radii;
       flat = flat_number(world_.walls, shape) != 0;
     });
     if (c.singular && impact.va == impact.vb) return false;

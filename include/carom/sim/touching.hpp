@@ -65,9 +65,9 @@ class Touching {
 
   template <class Search>
   void look_around(const WorldType& world, const M& motion, const Search& search, std::uint32_t i, const Time<Real>& now) {
-    world.walls.for_each([&](const auto& shape) {
-      const EventType e = predict_wall(motion, world, i, shape);
-      if (e.kind != EventKind::none && e.time == now) add(e, false);
+    search.for_each_wall(world, i, [&](const auto& shape, const Image<D>& image) {
+      const EventType e = predict_wall(motion, world, i, shape, image);
+      if (e.kind == EventKind::ball_wall && e.time == now) add(e, false);
     });
     search.for_each_partner(world, i, [&](std::uint32_t j, const Image<D>& image) {
       EventType e;
@@ -125,6 +125,7 @@ class Touching {
       e.kind = EventKind::ball_wall;
       e.partner = c.partner;
       e.feature = c.feature;
+      e.image = c.image;
       e.side = c.side;
       add(e, true);
     });

@@ -17,9 +17,11 @@ struct Walls {
   std::vector<Plane<Real, D>> planes;
   std::vector<Segment<Real>> segments;  ///< 2-D
   std::vector<Sphere<Real, D>> spheres;
+  std::vector<bool> openings;       ///< by wall number: balls whose centre comes to it leave; empty: none
   std::vector<std::string> labels;  ///< by wall number: "0", "1", ... in file order, then the faces "x-", "x+", "y-", ...
 
   [[nodiscard]] bool empty() const noexcept { return labels.empty(); }
+  [[nodiscard]] bool opens(std::uint32_t wall) const { return !openings.empty() && openings[wall]; }
 
   /// Calls f(shape) for every piece of every wall.
   template <class F>

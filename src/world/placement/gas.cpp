@@ -153,6 +153,16 @@ Crowd<D> make_crowd(std::span<const GasSpec> specs, std::span<const double> radi
   return crowd;
 }
 
+/// Every ball at the same speed, in the direction it has. One at rest goes along the first axis.
+void set_speed(std::vector<double>& v, int dimension, double speed) {
+  for (std::size_t i = 0; i < v.size(); i += static_cast<std::size_t>(dimension)) {
+    double square = 0.0;
+    for (int k = 0; k < dimension; ++k) square += v[i + k] * v[i + k];
+    if (square == 0.0) v[i] = square = 1.0;
+    for (int k = 0; k < dimension; ++k) v[i + k] *= speed / std::sqrt(square);
+  }
+}
+
 double packing_of(const Region& region, const std::vector<double>& radius) {
   double volume = 0.0;
   for (const double r : radius) volume += ball_volume(r, region.dimension);
@@ -240,8 +250,10 @@ std::vector<PlacedBalls> place_in(std::span<const GasSpec> specs, std::span<cons
     all.push_back({radii[e], share(specs[e], radii[e], region), {}, {}, region});
     all.back().position.resize(static_cast<std::size_t>(specs[e].count) * D);
     all.back().velocity = maxwell_velocities(
-        {specs[e].count, D, specs[e].temperature, specs[e].mass, specs[e].seed, static_cast<std::uint32_t>(e)},
+        {specs[e].count, D, specs[e].speed ? 1.0 : specs[e].temperature.value, specs[e].mass, specs[e].seed,
+         static_cast<std::uint32_t>(e)},
         region.kind);
+    if (specs[e].speed) set_speed(all.back().velocity, D, specs[e].speed->value);
   }
   for (std::size_t i = 0; i < crowd.source.size(); ++i) {
     const auto& source = crowd.source[i];
