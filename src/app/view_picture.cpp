@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "view_paths.hpp"
+#include "view_walls.hpp"
 
 namespace carom::app {
 
@@ -66,18 +67,13 @@ class View {
     }
   }
   void hold_wall(const Json& w) {
-    const auto point = [&](const Json& x, double r) {
+    if (D_ == 3 && w["kind"] == "circle") {
       Point p{};
-      for (std::size_t k = 0; k < x.size(); ++k) p[k] = x[k];
-      hold(project(p), r);
-    };
-    if (w["kind"] == "circle") point(w["centre"], w["radius"]);
-    if (w["kind"] == "segment") {
-      point(w["from"], 0);
-      point(w["to"], 0);
+      for (std::size_t k = 0; k < 3; ++k) p[k] = w["centre"][k];
+      hold(project(p), w["radius"]);
     }
-    if (w["kind"] == "polygon")
-      for (const Json& x : w["vertices"]) point(x, 0);
+    if (D_ != 2) return;
+    for (const Place& x : wall_points(w)) hold({x[0], x[1], 0}, 0);
   }
 
   int D_;
@@ -91,15 +87,14 @@ class Svg {
   Svg(const Json& scene, const Paths& paths) : view_(scene, paths), paths_(paths) {
     text_ = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} "
-        "{}\"><style>rect,.floor{{fill:#f9f8f4}}.back{{fill:#eceae3}}"
+        "{}\"><style>rect,.floor{{fill:#f9f8f4}}.back,.wall.back{{fill:#eceae3}}"
         ".wall{{fill:none;stroke:#3c4650;stroke-width:2;stroke-linejoin:round}}.path{{fill:none;stroke-width:1;opacity:.6}}"
-        ".ball{{stroke:#0005;stroke-width:.5}}@media(prefers-color-scheme:dark){{rect,.floor{{fill:#161b21}}.back{{fill:#"
-        "0c0f13}}"
+        ".ball{{stroke:#0005;stroke-width:.5}}@media(prefers-color-scheme:dark){{rect,.floor{{fill:#161b21}}.back,.wall.back{{"
+        "fill:#0c0f13}}"
         ".wall{{stroke:#aab4bf}}}}</style><rect class=\"back\" width=\"{}\" height=\"{}\"/>",
         width, height, width, height);
     draw_space(scene["space"]);
-    if (view_.dimension() == 2)
-      for (const Json& w : scene["walls"]) draw_wall(w);
+    if (view_.dimension() == 2) draw_walls(scene);
     if (paths.of.size() <= 40)
       for (std::size_t i = 0; i < paths.of.size(); ++i) draw_path(i);
     draw_balls(paths.of.size() > 1 && scene["names"].contains("0") && scene["names"]["0"] == "cue");
@@ -145,28 +140,45 @@ class Svg {
     }
   }
 
-  void draw_wall(const Json& w) {
-    const std::string kind = w["kind"];
-    const Json drift = w.value("velocity", Json());
-    if (kind == "segment") line(at(w["from"], drift), at(w["to"], drift));
-    if (kind == "circle") {
-      const Point c = at(w["centre"]);
-      text_ += fmt::format("<circle class=\"wall {}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\"/>",
-                           w["side"] == "inside" ? "" : "floor", c[0], c[1], w["radius"].get<double>() * view_.scale());
+  void draw_walls(const Json& scene) {
+    const Json& space = scene["space"];
+    const bool periodic = space["kind"] == "periodic";
+    if (periodic) {
+      const Point a = at(space["lower"]), b = at(space["upper"]);
+      text_ += fmt::format("<clipPath id=\"cell\"><path d=\"M{:.1f} {:.1f}H{:.1f}V{:.1f}H{:.1f}Z\"/></clipPath><g clip-path=\"url(#cell)\">",
+                           a[0], a[1], b[0], b[1], a[0]);
     }
-    if (kind == "polygon") {
-      text_ += "<path class=\"wall\" d=\"";
-      char letter = 'M';
-      for (const Json& x : w["vertices"]) {
-        text_ += fmt::format("{}{:.1f} {:.1f}", letter, at(x)[0], at(x)[1]);
-        letter = 'L';
-      }
-      text_ += "Z\"/>";
+    for (const std::vector<Place>& outline : table_outlines(scene["walls"])) draw_path("floor", "", outline, {0, 0});
+    for (const Json& w : scene["walls"]) draw_wall(w, space);
+    if (periodic) text_ += "</g>";
+  }
+
+  void draw_path(const char* classes, const char* dashes, const std::vector<Place>& points, const Place& shift) {
+    text_ += fmt::format("<path class=\"{}\"{} d=\"", classes, dashes);
+    char letter = 'M';
+    for (const Place& x : points) {
+      const Point p = view_.place({x[0] + shift[0], x[1] + shift[1], 0}, paths_.now);
+      text_ += fmt::format("{}{:.1f} {:.1f}", letter, p[0], p[1]);
+      letter = 'L';
     }
-    if (kind == "plane") {
-      const Point p = at(w["point"], drift);
+    text_ += "\"/>";
+  }
+
+  /// Where balls leave, the line is dashed.
+  void draw_wall(const Json& w, const Json& space) {
+    if (w["kind"] == "plane") {
+      const Point p = at(w["point"], w.value("velocity", Json()));
       const double nx = w["normal"][0], ny = w["normal"][1], n = std::hypot(nx, ny), far = 1e3 / n;
-      line({p[0] - ny * far, p[1] - nx * far, 0}, {p[0] + ny * far, p[1] + nx * far, 0});
+      return line({p[0] - ny * far, p[1] - nx * far, 0}, {p[0] + ny * far, p[1] + nx * far, 0});
+    }
+    const std::vector<Place> points = wall_points(w);
+    const bool opening = w.value("opening", false);
+    const char* classes = w.value("side", "") == "outside" && !opening ? "wall back" : "wall";
+    for (const Place& shift : shifts_into(space, points)) {
+      Place moved = shift;
+      if (w.contains("velocity"))
+        for (std::size_t k = 0; k < 2; ++k) moved[k] += w["velocity"][k].get<double>() * (paths_.now - paths_.start);
+      draw_path(classes, opening ? " stroke-dasharray=\"5 4\"" : "", points, moved);
     }
   }
 

@@ -1,5 +1,7 @@
 // What part of the scene a stage shows at first.
 
+import {pointsOf} from './wall_shapes.js';
+
 /** The smallest upright box that holds the space, the walls and, in open space, where the balls go. */
 export function extentOf(replay) {
   const {log, scene} = replay, D = log.dimension;
@@ -17,9 +19,8 @@ export function extentOf(replay) {
     let closed = false;
     for (const wall of scene.walls) {
       if (wall.kind === 'circle') hold(wall.centre, wall.radius);
-      if (wall.kind === 'segment') [wall.from, wall.to].forEach((x) => hold(x));
-      if (wall.kind === 'polygon') wall.vertices.forEach((x) => hold(x));
-      closed ||= (wall.kind === 'circle' && wall.side === 'inside') || wall.kind === 'polygon';
+      else if (D === 2) pointsOf(wall).forEach((x) => hold(x));
+      closed ||= wall.table >= 0 || (wall.kind !== 'plane' && wall.side === 'inside') || wall.kind === 'polygon';
     }
     for (let i = 0; i < log.balls; ++i) hold(log.startPosition.subarray(i * D, i * D + D), log.startRadius[i]);
     if (!closed) holdPaths(replay, hold, lower, upper);

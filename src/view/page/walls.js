@@ -1,5 +1,7 @@
 // Walls on a canvas.
 
+import {isClosed, outlinesOf, pointsOf, shiftsOf} from './wall_shapes.js';
+
 /** Where a wall that moves is now, from where the scene puts it. */
 function drift(wall, replay) {
   const s = replay.hi - replay.start + replay.lo;
@@ -7,19 +9,45 @@ function drift(wall, replay) {
 }
 
 export function wallPaths(g, stage) {
-  const {replay, colours, scale} = stage;
-  g.strokeStyle = colours.page.wall;
+  const {scene} = stage.replay;
+  g.save();
+  if (scene.space.kind === 'periodic' && !stage.oneDimensional) clipToCell(g, stage, scene.space);
   g.lineCap = 'round';
   g.lineJoin = 'round';
-  for (const wall of replay.scene.walls) {
-    const d = drift(wall, replay);
-    const at = (x) => stage.toScreen([x[0] + d[0], (x[1] ?? 0) + d[1]]);
-    g.lineWidth = 3;
-    if (wall.kind === 'segment') polyline(g, [at(wall.from), at(wall.to)]);
-    if (wall.kind === 'polygon') polygon(g, wall.vertices.map(at), colours.page);
-    if (wall.kind === 'circle') circle(g, at(wall.centre), wall.radius * scale, wall.side, colours.page);
-    if (wall.kind === 'plane') plane(g, stage, at(wall.point), wall.normal);
-  }
+  for (const points of outlinesOf(scene.walls)) floor(g, points.map((x) => stage.toScreen(x)), stage.colours.page);
+  for (const wall of scene.walls)
+    for (const shift of stage.oneDimensional ? [[0, 0]] : shiftsOf(wall, scene.space)) draw(g, stage, wall, shift);
+  g.restore();
+}
+
+/** Where a ball's centre leaves, the line is dashed. */
+function draw(g, stage, wall, shift) {
+  const {colours: {page}, replay, scale} = stage;
+  const d = drift(wall, replay);
+  const at = (x) => stage.toScreen([x[0] + d[0] + shift[0], (x[1] ?? 0) + d[1] + shift[1]]);
+  g.strokeStyle = page.wall;
+  g.lineWidth = wall.opening ? 1.5 : 3;
+  g.setLineDash(wall.opening ? [6, 6] : []);
+  if (wall.kind === 'plane') return plane(g, stage, at(wall.point), wall.normal);
+  if (wall.kind === 'circle' && !wall.opening) return circle(g, at(wall.centre), wall.radius * scale, wall.side, page);
+  const points = pointsOf(wall).map(at);
+  if (!isClosed(wall) || wall.opening) return polyline(g, points);
+  g.fillStyle = wall.side === 'outside' ? page.line : page.floor;
+  polygon(g, points);
+}
+
+function clipToCell(g, stage, {lower, upper}) {
+  const [x0, y1] = stage.toScreen(lower), [x1, y0] = stage.toScreen(upper);
+  g.beginPath();
+  g.rect(x0, y0, x1 - x0, y1 - y0);
+  g.clip();
+}
+
+function floor(g, points, page) {
+  g.beginPath();
+  for (const p of points) g.lineTo(...p);
+  g.fillStyle = page.floor;
+  g.fill();
 }
 
 function polyline(g, points) {
@@ -28,11 +56,10 @@ function polyline(g, points) {
   g.stroke();
 }
 
-function polygon(g, points, page) {
+function polygon(g, points) {
   g.beginPath();
   for (const p of points) g.lineTo(...p);
   g.closePath();
-  g.fillStyle = page.floor;
   g.fill();
   g.stroke();
 }
