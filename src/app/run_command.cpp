@@ -9,6 +9,7 @@
 #include "carom/core/precision.hpp"
 #include "carom/observe/observers.hpp"
 #include "carom/observe/samplers.hpp"
+#include "carom/observe/survival.hpp"
 #include "carom/sim/simulation.hpp"
 #include "carom/write/checkpoint_file.hpp"
 #include "carom/write/summary_json.hpp"
@@ -30,7 +31,7 @@ constexpr std::int64_t shown_balls = 20;  // the table for people lists the ball
 
 /// Runs, and fills the files as it goes. A write that fails ends the run.
 RunReport carry_out(Simulation& simulation, const Scene& scene, Observers& observers, Samplers& samplers,
-                    RunOutputs& outputs, Checkpoints& checkpoints, Interrupt& interrupt, std::ostream* screen, Live* live) {
+                    const Survival& survival, RunOutputs& outputs, Checkpoints& checkpoints, Interrupt& interrupt, std::ostream* screen, Live* live) {
   RunReport report;
   Progress progress(screen, scene.run);
   Watchers watchers;
@@ -64,9 +65,11 @@ RunReport carry_out(Simulation& simulation, const Scene& scene, Observers& obser
   observers.end(simulation);
   report.observed = observers.estimates();
   for (Estimate& e : samplers.estimates()) report.observed.push_back(std::move(e));
+  for (Estimate& e : survival.estimates(simulation)) report.observed.push_back(std::move(e));
   auto file = outputs.tables().begin();
   for (const Table& table : samplers.tables()) (file++)->write(table);
   for (const Table& table : observers.tables()) (file++)->write(table);
+  for (const Table& table : survival.tables(simulation)) (file++)->write(table);
   if (SpeedHistogramCsv* speeds = outputs.speeds()) speeds->write(*observers.speed_table());
   report.summary = simulation.summary();
   return report;
@@ -136,6 +139,7 @@ ExitStatus run(const RunOptions& options, const Console& console) {
   if (!options.resume.empty()) read_checkpoint(options.resume, simulation);
   Observers observers(scene, simulation);
   Samplers samplers(scene, simulation);
+  const Survival survival(scene, simulation);
   const RunRecord record = record_of(options.scene);
   RunOutputs outputs(scene, options.out, simulation, {record.text, record.set, {}});
   if (!options.out.empty() && !outputs.any() && scene.output.checkpoint.empty() && options.checkpoint.empty() && !options.quiet)
@@ -150,7 +154,7 @@ ExitStatus run(const RunOptions& options, const Console& console) {
   }
   const bool watched = console.err_is_terminal && !options.quiet;
   RunReport report =
-      carry_out(simulation, scene, observers, samplers, outputs, checkpoints, interrupt, watched ? &console.err : nullptr,
+      carry_out(simulation, scene, observers, samplers, survival, outputs, checkpoints, interrupt, watched ? &console.err : nullptr,
                 live ? &*live : nullptr);
   std::string unwritten = outputs.finish(report.summary);
   const std::string unsaved = checkpoints.finish(simulation);

@@ -7,6 +7,7 @@
 #include "carom/core/error.hpp"
 #include "carom/observe/observers.hpp"
 #include "carom/observe/samplers.hpp"
+#include "carom/observe/survival.hpp"
 #include "output_folder.hpp"
 
 namespace carom::app {
@@ -73,6 +74,7 @@ RunOutputs::RunOutputs(const Scene& scene, const std::string& folder, const Simu
   for (const std::string& name : observed_tables(scene.observe))
     tables.emplace_back(name, placed(name + ".csv", "the table of observe." + name));
   for (const std::string& name : final_tables(scene.observe)) tables.emplace_back(name, placed(name + ".csv", "a table of [observe]"));
+  for (const auto& [name, file] : survival_files(scene.observe)) tables.emplace_back(name, placed(file, "a table of observe.survival"));
   std::vector<StreamedTable> streamed = streamed_tables(scene);
   for (StreamedTable& table : streamed) table.file = placed(table.file, "the table of observe." + table.name);
   const std::string speeds =

@@ -11,6 +11,7 @@
 #include "carom/core/error.hpp"
 #include "carom/observe/course.hpp"
 #include "carom/observe/observers.hpp"
+#include "carom/observe/survival.hpp"
 #include "carom/observe/samplers.hpp"
 #include "carom/sim/simulation.hpp"
 #include "carom/write/replay_log.hpp"
@@ -78,6 +79,7 @@ class Viewing {
         simulation_(scene_),
         observers_(scene_, simulation_),
         samplers_(scene_, simulation_),
+        survival_(scene_, simulation_),
         page_(path, *page_parts(), scene_.dimension),
         log_(scene_, simulation_, [this](std::string chunk) { take(std::move(chunk)); }) {
     if (steps_) course_.emplace(scene_, simulation_);
@@ -100,6 +102,7 @@ class Viewing {
     observers_.end(simulation_);
     report_.observed = observers_.estimates();
     for (Estimate& e : samplers_.estimates()) report_.observed.push_back(std::move(e));
+    for (Estimate& e : survival_.estimates(simulation_)) report_.observed.push_back(std::move(e));
     report_.summary = simulation_.summary();
     if (steps_ && !interrupted()) {
       const ViewSteps film = make_view_steps(scene_, *steps_, *course_, simulation_.time(), event_of_, interrupt_.flag());
@@ -112,6 +115,7 @@ class Viewing {
     if (const auto speeds = observers_.speed_table()) tables.push_back(table_of(*speeds));
     for (const Table& table : samplers_.tables()) tables.push_back(table_of(table));
     for (const Table& table : observers_.tables()) tables.push_back(table_of(table));
+    for (const Table& table : survival_.tables(simulation_)) tables.push_back(table_of(table));
     page_.json(
         "result",
         {{"summary", summary_object(report_)}, {"cut", cut_ ? Json(options_.most) : Json(nullptr)}, {"tables", tables}});
@@ -151,6 +155,7 @@ class Viewing {
   Simulation simulation_;
   Observers observers_;
   Samplers samplers_;
+  Survival survival_;
   ViewPage page_;
   ReplayLog log_;
   std::optional<Course> course_;

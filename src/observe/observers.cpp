@@ -38,13 +38,13 @@ class Observers::Plan {
     const ObserveSpec& asked = scene.observe;
     if (asks(asked) && subject.free == 0)
       judgement_.refuse("*", "no ball has a finite mass, so none ever changes its velocity", "Add a ball that is not fixed");
-    if (asked.collision_rate) add<CollisionRate>();
-    if (asked.mean_free_path && has_flights("mean_free_path")) add<FreePath>();
-    if (asked.pressure && has_flights("pressure")) pressure();
-    if (asked.speed_histogram && has_flights("speed_histogram")) add<SpeedHistogram>();
-    if (asked.lyapunov && has_flights("lyapunov")) lyapunov();
+    if (asked.collision_rate && all_stay("collision_rate")) add<CollisionRate>();
+    if (asked.mean_free_path && has_flights("mean_free_path") && all_stay("mean_free_path")) add<FreePath>();
+    if (asked.pressure && has_flights("pressure") && all_stay("pressure")) pressure();
+    if (asked.speed_histogram && has_flights("speed_histogram") && all_stay("speed_histogram")) add<SpeedHistogram>();
+    if (asked.lyapunov && has_flights("lyapunov") && all_stay("lyapunov")) lyapunov();
     if (asked.caustic && has_flights("caustic")) caustic();
-    if (asked.poincare && has_flights("poincare")) poincare(*asked.poincare);
+    if (asked.poincare && has_flights("poincare") && all_stay("poincare")) poincare(*asked.poincare);
     on_the_boundary(simulation);
     judgement_.throw_if_any();
   }
@@ -62,6 +62,12 @@ class Observers::Plan {
     if (scene_.collision.law == LawKind::restitution) return true;
     judgement_.refuse(key, "balls that stick or merge do not go on as they were",
                       "Only collision_rate is measured with law \"stick\" and \"merge\"");
+    return false;
+  }
+
+  bool all_stay(const char* key) {
+    if (std::none_of(scene_.walls.begin(), scene_.walls.end(), [](const WallSpec& w) { return w.opening; })) return true;
+    judgement_.refuse(key, "balls leave through an opening, which ends their flights", "Ask for survival");
     return false;
   }
 

@@ -35,6 +35,7 @@ void read_settings(TableReader& t, SurvivalSpec& s) {
   t.number("to", s.to);
   t.integer("bins", s.bins);
   t.text("file", s.file);
+  t.text("departures", s.departures);
 }
 void read_settings(TableReader& t, PhaseSpaceSpec& p) { t.integer("bins", p.bins); }
 

@@ -62,7 +62,6 @@ void judge_observe(Judgement& j) {
   if (o.collision_rate) rules.unbuilt("observe.collision_rate");
   if (o.mean_free_path) rules.unbuilt("observe.mean_free_path");
   if (o.speed_histogram) rules.unbuilt("observe.speed_histogram");
-  if (o.survival) rules.unbuilt("observe.survival");
 
   if (const auto& r = o.radial_distribution) {
     TableRules inner(j, {"observe", "radial_distribution"}, o.where);

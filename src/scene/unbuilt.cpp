@@ -29,7 +29,6 @@ constexpr std::array unbuilt{
     Unbuilt{"wall.oscillation"},
     Unbuilt{"wall.velocity", "circle"},
     Unbuilt{"wall.velocity", "polygon"},
-    Unbuilt{"observe.survival"},
     Unbuilt{"ensemble"},
 };
 

@@ -17,7 +17,7 @@
 //   wedge      left and right side of `length`, upwards from the centre, `angle` between them; open above
 //   cardioid   a curve r = scale (1 + cos theta), balls inside; its cusp is at the centre
 //   pinball    three circles of `radius`, balls outside, at the corners of an equilateral triangle with sides `spacing`; the
-//              triangle is an opening
+//              triangle is an opening: what leaves it never comes back [GaspardRice1989]
 //   annulus    a circle of radius `outer`, balls inside; one of radius `inner`, `offset` to the right, balls outside
 //   cradle     no wall: `count` balls of `radius` at rest in a row along x, each touching the next (also in 1-D)
 //   pool       a polygon `length` by `length` / 2, without pockets
