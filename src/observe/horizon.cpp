@@ -22,7 +22,7 @@ double smallest_length(const Scene& scene, const Simulation& simulation) {
   };
   for (const BallState& b : simulation.balls()) take(radius, b.radius);
   for (const WallSpec& w : scene.walls)
-    if (w.kind == WallKind::circle) take(radius, w.radius);
+    if (w.kind == WallKind::circle || w.kind == WallKind::arc) take(radius, w.radius);
   if (std::isfinite(radius)) return radius;
   const auto side = [&edge, &take](const Coordinates& a, const Coordinates& b) {
     double square = 0;

@@ -36,7 +36,10 @@ inline constexpr std::array lattice_kinds{Word<LatticeKind>{"chain", LatticeKind
 
 inline constexpr std::array wall_kinds{Word<WallKind>{"segment", WallKind::segment},
                                        Word<WallKind>{"plane", WallKind::plane}, Word<WallKind>{"circle", WallKind::circle},
-                                       Word<WallKind>{"polygon", WallKind::polygon}};
+                                       Word<WallKind>{"polygon", WallKind::polygon}, Word<WallKind>{"arc", WallKind::arc},
+                                       Word<WallKind>{"ellipse", WallKind::ellipse},
+                                       Word<WallKind>{"parabola", WallKind::parabola},
+                                       Word<WallKind>{"curve", WallKind::curve}};
 
 inline constexpr std::array wall_sides{Word<WallSide>{"inside", WallSide::inside},
                                        Word<WallSide>{"outside", WallSide::outside}};

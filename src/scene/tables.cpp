@@ -12,7 +12,7 @@ namespace carom::scene_text {
 
 namespace {
 
-// A key of [[wall]] or [[lattice]] that belongs to one kind.
+// A key of [[wall]] or [[lattice]] that belongs to a kind; one that belongs to several has a row for each.
 template <class E>
 struct KindKey {
   std::string_view key;
@@ -24,7 +24,10 @@ template <class E, std::size_t N, std::size_t M>
 void refuse_other_kinds(TableReader& t, E kind, const std::array<KindKey<E>, N>& keys,
                         const std::array<Word<E>, M>& words) {
   for (const KindKey<E>& k : keys) {
-    if (k.kind == kind || !t.has(k.key)) continue;
+    const auto same = [&k](const KindKey<E>& other) { return other.key == k.key; };
+    const bool first = &*std::find_if(keys.begin(), keys.end(), same) == &k;
+    const bool fits = std::any_of(keys.begin(), keys.end(), [&](const auto& other) { return same(other) && other.kind == kind; });
+    if (!first || fits || !t.has(k.key)) continue;
     const std::string other(word_for<E>(words, k.kind));
     t.misplaced(k.key, "it belongs to kind = \"" + other + "\", not \"" + std::string(word_for<E>(words, kind)) + '"');
   }
@@ -34,7 +37,16 @@ constexpr std::array wall_keys{
     KindKey<WallKind>{"from", WallKind::segment},  KindKey<WallKind>{"to", WallKind::segment},
     KindKey<WallKind>{"point", WallKind::plane},   KindKey<WallKind>{"normal", WallKind::plane},
     KindKey<WallKind>{"centre", WallKind::circle}, KindKey<WallKind>{"radius", WallKind::circle},
-    KindKey<WallKind>{"side", WallKind::circle},   KindKey<WallKind>{"vertices", WallKind::polygon}};
+    KindKey<WallKind>{"side", WallKind::circle},   KindKey<WallKind>{"vertices", WallKind::polygon},
+    KindKey<WallKind>{"centre", WallKind::arc},    KindKey<WallKind>{"radius", WallKind::arc},
+    KindKey<WallKind>{"from_angle", WallKind::arc}, KindKey<WallKind>{"to_angle", WallKind::arc},
+    KindKey<WallKind>{"centre", WallKind::ellipse}, KindKey<WallKind>{"axes", WallKind::ellipse},
+    KindKey<WallKind>{"angle", WallKind::ellipse}, KindKey<WallKind>{"side", WallKind::ellipse},
+    KindKey<WallKind>{"centre", WallKind::parabola}, KindKey<WallKind>{"angle", WallKind::parabola},
+    KindKey<WallKind>{"focal_length", WallKind::parabola}, KindKey<WallKind>{"half_width", WallKind::parabola},
+    KindKey<WallKind>{"centre", WallKind::curve},  KindKey<WallKind>{"angle", WallKind::curve},
+    KindKey<WallKind>{"cosines", WallKind::curve}, KindKey<WallKind>{"sines", WallKind::curve},
+    KindKey<WallKind>{"side", WallKind::curve}};
 
 constexpr std::array rack_keys{
     KindKey<LatticeKind>{"rows", LatticeKind::rack}, KindKey<LatticeKind>{"gap", LatticeKind::rack},
@@ -183,10 +195,35 @@ void read_shape(TableReader& t, WallSpec& w) {
       t.vertices("vertices", w.vertices);
       break;
     case WallKind::arc:
+      t.coordinates("centre", w.centre);
+      t.require("radius", "an arc has one", "Add radius = 1.0");
+      t.number("radius", w.radius);
+      t.require("from_angle", "an arc begins at one", "Add from_angle = 0.0, in radians");
+      t.require("to_angle", "an arc ends at one", "Add to_angle = 1.0, in radians, anticlockwise from from_angle");
+      t.number("from_angle", w.from_angle);
+      t.number("to_angle", w.to_angle);
+      break;
     case WallKind::ellipse:
+      t.coordinates("centre", w.centre);
+      t.coordinates("axes", w.axes);
+      t.number("angle", w.angle);
+      t.word<WallSide>("side", wall_sides, w.side);
+      break;
     case WallKind::parabola:
+      t.coordinates("centre", w.centre);
+      t.number("angle", w.angle);
+      t.require("focal_length", "a parabola has one", "Add focal_length = 1.0");
+      t.number("focal_length", w.focal_length);
+      t.require("half_width", "a parabola ends somewhere", "Add half_width = 1.0");
+      t.number("half_width", w.half_width);
+      break;
     case WallKind::curve:
-      break;  // refused by name
+      t.coordinates("centre", w.centre);
+      t.number("angle", w.angle);
+      t.coordinates("cosines", w.cosines);
+      t.coordinates("sines", w.sines);
+      t.word<WallSide>("side", wall_sides, w.side);
+      break;
   }
 }
 

@@ -1,5 +1,10 @@
 // The rules for [[wall]].
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
 #include "keywords.hpp"
 #include "table_rules.hpp"
 #include "words.hpp"
@@ -54,8 +59,76 @@ void judge_polygon(TableRules& rules, const WallSpec& w) {
   }
 }
 
+void judge_arc(TableRules& rules, const WallSpec& w) {
+  rules.vector("centre", w.centre, Presence::required);
+  rules.positive("radius", w.radius, "the radius of a wall is above 0");
+  if (!rules.finite("from_angle", w.from_angle) || !rules.finite("to_angle", w.to_angle)) return;
+  if (w.from_angle.value == w.to_angle.value)
+    rules.found("to_angle", " is where the arc begins", "its ends are two places",
+                "For a whole turn give kind = \"circle\"", {rules.key("from_angle")});
+  const double turn = w.to_angle.value - w.from_angle.value, full = 2 * std::numbers::pi;
+  if (std::abs(turn) > full * (1 + 1e-15))
+    rules.found("to_angle", " is more than a turn from from_angle", "an arc is at most a whole circle, 2 pi",
+                "", {rules.key("from_angle")});
+}
+
+void judge_ellipse(TableRules& rules, const WallSpec& w) {
+  rules.vector("centre", w.centre, Presence::required);
+  rules.finite("angle", w.angle);
+  if (w.axes.empty()) return rules.missing("axes", "an ellipse has two semi-axes", "Add axes = [2.0, 1.0]");
+  if (w.axes.size() != 2)
+    return rules.found("axes", " has " + std::to_string(w.axes.size()) + (w.axes.size() == 1 ? " number" : " numbers"),
+                       "an ellipse has two semi-axes");
+  TableRules axes(rules.inner("axes"));
+  for (std::size_t i = 0; i < 2; ++i) axes.positive(std::to_string(i), w.axes[i], "a semi-axis is above 0");
+}
+
+void judge_parabola(TableRules& rules, const WallSpec& w) {
+  rules.vector("centre", w.centre, Presence::required);
+  rules.finite("angle", w.angle);
+  rules.positive("focal_length", w.focal_length, "the focus is inside");
+  rules.positive("half_width", w.half_width, "it ends at this distance from its axis");
+}
+
+/// Where r(theta) is least on a fine grid: theta, r.
+std::pair<double, double> least_radius(const WallSpec& w) {
+  std::pair<double, double> least{0, HUGE_VAL};
+  const std::size_t n = 64 * std::max<std::size_t>(16, std::max(w.cosines.size(), w.sines.size()));
+  for (std::size_t i = 0; i < n; ++i) {
+    const double theta = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(n);
+    double r = 0;
+    for (std::size_t k = 0; k < w.cosines.size(); ++k) r += w.cosines[k].value * std::cos(static_cast<double>(k) * theta);
+    for (std::size_t k = 0; k < w.sines.size(); ++k) r += w.sines[k].value * std::sin(static_cast<double>(k) * theta);
+    if (r < least.second) least = {theta, r};
+  }
+  return least;
+}
+
+void judge_curve(TableRules& rules, const WallSpec& w) {
+  rules.vector("centre", w.centre, Presence::required);
+  rules.finite("angle", w.angle);
+  if (w.cosines.empty())
+    return rules.missing("cosines", "r(theta) is a sum of cosines and sines", "Add cosines = [1.0, 0.2] for 1 + 0.2 cos theta");
+  bool good = true;
+  double size = 0;
+  for (const auto& [name, terms] : {std::pair{"cosines", &w.cosines}, std::pair{"sines", &w.sines}}) {
+    TableRules list(rules.inner(name));
+    for (std::size_t k = 0; k < terms->size(); ++k) {
+      good = list.finite(std::to_string(k), (*terms)[k]) && good;
+      size += std::abs((*terms)[k].value);
+    }
+  }
+  if (!good) return;
+  if (!w.sines.empty() && w.sines[0].value != 0)
+    TableRules(rules.inner("sines")).found("0", " is not 0", "sin 0 is 0: the first sine counts nothing", "Begin with 0");
+  const auto [theta, r] = least_radius(w);
+  if (!(r >= -1e-15 * size) || size == 0)
+    rules.found("cosines", size == 0 ? " make no curve" : " make r(" + shown(Number(theta)) + ") = " + shown(Number(r)),
+                size == 0 ? "r(theta) is 0 everywhere" : "r(theta) is nowhere below 0");
+}
+
 void judge_dimension(TableRules& rules, WallKind kind, int dimension) {
-  const bool flat = kind == WallKind::segment || kind == WallKind::polygon;
+  const bool flat = kind != WallKind::plane && kind != WallKind::circle;
   if (!is_dimension(dimension) || kind == WallKind::plane || dimension == 2) return;
   if (kind == WallKind::circle && dimension == 3) return;
   rules.found("kind", " is " + in_quotes(word_for<WallKind>(wall_kinds, kind)),
@@ -88,10 +161,17 @@ void judge_walls(Judgement& j) {
         judge_polygon(rules, w);
         break;
       case WallKind::arc:
+        judge_arc(rules, w);
+        break;
       case WallKind::ellipse:
+        judge_ellipse(rules, w);
+        break;
       case WallKind::parabola:
+        judge_parabola(rules, w);
+        break;
       case WallKind::curve:
-        break;  // refused by name
+        judge_curve(rules, w);
+        break;
     }
     if (rules.vector("velocity", w.velocity, Presence::optional) && !is_zero(w.velocity)) {
       rules.unbuilt("wall.velocity", kind);

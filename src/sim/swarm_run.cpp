@@ -129,7 +129,7 @@ void send(SwarmRun<D>& run, const Event<double, D>& event, const Impact<double, 
           double gap, std::uint32_t a, bool hit_a, const Time<double>& before_a, std::uint32_t b, bool hit_b,
           const Time<double>& before_b, const Face<double, D>* face = nullptr) {
   Record<double, D> record = record_of(event, impact, outcome, gap, false);
-  if (face != nullptr) fill_place(record, *face, vector<D>(run.swarm.flights[a].x), event.side);
+  if (face != nullptr) fill_place(record, *face, vector<D>(run.swarm.flights[a].x), run.swarm.kind(a).radius, event.side);
   fill(record.ball, run, a, hit_a, before_a);
   record.partner.number = event.partner;
   if (event.kind == EventKind::ball_ball) fill(record.partner, run, b, hit_b, before_b);

@@ -17,6 +17,7 @@
 #include "carom/world/flat_walls.hpp"
 #include "carom/world/gases.hpp"
 #include "choose_units.hpp"
+#include "curved_walls.hpp"
 #include "outline.hpp"
 #include "real_number.hpp"
 #include "roster.hpp"
@@ -175,6 +176,7 @@ class WorldBuilder {
       surfaces_.push_back({spec.material, spec.restitution});
       add_wall(spec, id);
     }
+    if constexpr (D == 2) Joints<Real>(walls).join();
     if (world_.space.kind != SpaceKind::box) return;
     for (int k = 0; k < D; ++k)
       for (const int sign : {+1, -1}) {
@@ -241,6 +243,8 @@ class WorldBuilder {
       sphere.radius = length(spec.radius);
       sphere.inside = spec.side == WallSide::inside;
       world_.walls.spheres.push_back(sphere);
+    } else if (is_curved_kind(spec.kind)) {
+      if constexpr (D == 2) add_curved_wall(spec, id);
     } else if constexpr (D == 2) {
       const std::vector<Coordinates> corners =
           spec.kind == WallKind::polygon ? spec.vertices : std::vector<Coordinates>{spec.from, spec.to};
@@ -248,8 +252,29 @@ class WorldBuilder {
       for (std::size_t e = 0; e < edges; ++e)
         world_.walls.segments.push_back(segment(spec, id, static_cast<std::int32_t>(e), corners[e], corners[(e + 1) % n]));
       for (std::size_t c = 0; c < n; ++c)
-        world_.walls.spheres.push_back(vertex(spec, id, static_cast<std::int32_t>(edges + c), corners[c]));
+        world_.walls.spheres.push_back(vertex(spec, id, static_cast<std::int32_t>(edges + c), point(corners[c])));
     }
+  }
+
+  [[nodiscard]] static bool is_curved_kind(WallKind kind) {
+    return kind == WallKind::arc || kind == WallKind::ellipse || kind == WallKind::parabola || kind == WallKind::curve;
+  }
+  void add_curved_wall(const WallSpec& spec, WallId id) requires(D == 2) {
+    const auto to_length = [this](const Number& n) { return length(n); };
+    const auto add = [&](auto& list, auto shape) {
+      shape.wall = id;
+      shape.velocity = velocity(spec.velocity);
+      list.push_back(std::move(shape));
+    };
+    Walls<Real, 2>& walls = world_.walls;
+    if (spec.kind == WallKind::ellipse) return add(walls.ellipses, make_ellipse<Real>(spec, to_length));
+    if (spec.kind == WallKind::parabola) return add(walls.parabolas, make_parabola<Real>(spec, to_length));
+    if (spec.kind == WallKind::curve) return add(walls.curves, make_polar_curve<Real>(spec, to_length));
+    add(walls.arcs, make_arc<Real>(spec, to_length));
+    const Arc<Real>& arc = walls.arcs.back();
+    if (arc.whole) return;
+    walls.spheres.push_back(vertex(spec, id, 1, arc.from));
+    walls.spheres.push_back(vertex(spec, id, 2, arc.to));
   }
 
   Segment<Real> segment(const WallSpec& spec, WallId id, std::int32_t feature, const Coordinates& from,
@@ -267,11 +292,11 @@ class WorldBuilder {
     return s;
   }
   /// A vertex is a point that balls may hit: a sphere of radius 0.
-  Sphere<Real, D> vertex(const WallSpec& spec, WallId id, std::int32_t feature, const Coordinates& at) const {
+  Sphere<Real, D> vertex(const WallSpec& spec, WallId id, std::int32_t feature, const Vector& at) const {
     Sphere<Real, D> s;
     s.wall = id;
     s.feature = feature;
-    s.centre = point(at);
+    s.centre = at;
     s.velocity = velocity(spec.velocity);
     s.inside = false;
     return s;

@@ -39,7 +39,18 @@ struct Scales {
 
 void read_walls(const Scene& scene, Scales& s) {
   for (const WallSpec& w : scene.walls) {
-    if (w.kind == WallKind::circle) s.length(w.radius.value);
+    if (w.kind == WallKind::circle || w.kind == WallKind::arc) s.length(w.radius.value);
+    for (const Number& axis : w.axes) s.length(axis.value);
+    if (w.kind == WallKind::parabola) {
+      s.length(w.focal_length.value);
+      s.length(w.half_width.value);
+    }
+    if (w.kind == WallKind::curve) {
+      Wider size = 0;
+      for (const auto* terms : {&w.cosines, &w.sines})
+        for (const Number& c : *terms) size += std::fabs(Wider(c.value));
+      s.length(size);
+    }
     const auto side = [&](const Coordinates& a, const Coordinates& b) {
       Wider d = 0;
       for (std::size_t k = 0; k < a.size(); ++k) d += (Wider(b[k].value) - a[k].value) * (Wider(b[k].value) - a[k].value);
@@ -132,7 +143,15 @@ void judge_all(const Scene& scene, const Scales& scales, const Units& units, std
     for (const Coordinates& vertex : w.vertices)
       for (const Number& x : vertex) judge(scene, w.where.line, "coordinate", x, length, problems);
     for (const Number& v : w.velocity) judge(scene, w.where.line, "velocity", v, velocity, problems);
-    if (w.kind == WallKind::circle) judge(scene, w.where.line, "radius", w.radius, length, problems);
+    if (w.kind == WallKind::circle || w.kind == WallKind::arc)
+      judge(scene, w.where.line, "radius", w.radius, length, problems);
+    for (const Number& axis : w.axes) judge(scene, w.where.line, "semi-axis", axis, length, problems);
+    if (w.kind == WallKind::parabola) {
+      judge(scene, w.where.line, "focal_length", w.focal_length, length, problems);
+      judge(scene, w.where.line, "half_width", w.half_width, length, problems);
+    }
+    for (const auto* terms : {&w.cosines, &w.sines})
+      for (const Number& c : *terms) judge(scene, w.where.line, "coefficient", c, length, problems);
   }
   for (const Number& a : scene.motion.acceleration)
     judge(scene, scene.motion.where.line, "acceleration", a, acceleration, problems);

@@ -6,6 +6,7 @@
 #include "carom/core/error.hpp"
 #include "carom/world/placement/gas.hpp"
 #include "carom/world/placement/lattice.hpp"
+#include "curved_walls.hpp"
 #include "outline.hpp"
 
 namespace carom {
@@ -29,6 +30,8 @@ double distance_to_segment(const double* x, const Coordinates& a, const Coordina
   const double ex = x[0] - (a[0] + u * dx), ey = x[1] - (a[1] + u * dy);
   return std::sqrt(ex * ex + ey * ey);
 }
+
+double value_of(const Number& n) { return n.value; }
 
 /// The box around all closed tables of an open space: where its gases are placed.
 Region region_of_tables(const std::vector<Outline>& tables) {
@@ -70,10 +73,13 @@ double clearance(const WallSpec& wall, const double* x, int dimension) {
       return nearest;
     }
     case WallKind::arc:
+      return detail::make_arc<double>(wall, value_of).gap({x[0], x[1]});
     case WallKind::ellipse:
+      return detail::make_ellipse<double>(wall, value_of).gap({x[0], x[1]});
     case WallKind::parabola:
+      return detail::make_parabola<double>(wall, value_of).gap({x[0], x[1]});
     case WallKind::curve:
-      break;  // refused by name
+      return detail::make_polar_curve<double>(wall, value_of).gap({x[0], x[1]});
   }
   return HUGE_VAL;
 }

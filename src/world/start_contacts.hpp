@@ -246,6 +246,45 @@ class StartContacts {
     settle(i, segment, narrow(W(side > 0 ? height : W(-h)) - W(b.radius)), doubt, static_cast<std::int8_t>(side));
   }
 
+  /// A curved wall. Its place is rounded, so more than the inputs is in doubt: some u of all coordinates.
+  template <class Shape>
+    requires is_curved<Shape>
+  void judge_wall(std::uint32_t i, const Shape& shape) {
+    using std::abs;
+    const Ball<Real, D>& b = world_.balls[i];
+    Real size = b.radius;
+    if constexpr (requires { shape.size(); }) {
+      size += shape.size();
+    } else {
+      size += shape.radius;
+      if (!shape.spans(Vec<Real, D>(b.position - shape.centre), Real(0))) return;  // the ends judge for themselves
+    }
+    for (int k = 0; k < D; ++k) size += abs(b.position[k]) + abs(shape.centre[k]);
+    const Real doubt = ldexp_of(Real(16 * size), -std::min(bits_[i], scene_bits_));
+    if constexpr (requires { shape.inside; }) {
+      settle(i, shape, Real(shape.gap(b.position) - b.radius), doubt, shape.home());
+    } else {
+      Real height;
+      if constexpr (requires { shape.form(b.position); }) {
+        height = shape.form(Vec<Real, D>(b.position - shape.centre));
+      } else {
+        height = shape.height(b.position);
+      }
+      const Real gap = shape.gap(b.position) - b.radius;
+      std::int8_t side = height < 0 ? -1 : 1;
+      if (b.radius == 0 && abs(gap) <= doubt) {  // on the wall: the side that the velocity points to
+        const Vec<Real, D> left = shape.normal(b.position);
+        const Real rate = dot<Real, D>(left, b.velocity - shape.velocity), pull = dot<Real, D>(left, world_.acceleration);
+        side = rate > 0 || (rate == 0 && pull > 0) ? 1 : -1;
+      }
+      settle(i, shape, gap, doubt, side);
+    }
+  }
+  [[nodiscard]] static Real ldexp_of(const Real& x, int exponent) {
+    using std::ldexp;
+    return ldexp(x, exponent);
+  }
+
   template <class Shape>
   void settle(std::uint32_t i, const Shape& shape, const Real& gap, const Real& doubt, std::int8_t side = 0) {
     const int sign = sign_within(gap, doubt, bits_[i]);

@@ -34,10 +34,34 @@ Json wall(const WallSpec& w) {
       for (const Coordinates& v : w.vertices) j["vertices"].push_back(numbers(v));
       break;
     case WallKind::arc:
+      j = {{"kind", "arc"},
+           {"centre", numbers(w.centre)},
+           {"radius", w.radius.value},
+           {"from_angle", w.from_angle.value},
+           {"to_angle", w.to_angle.value}};
+      break;
     case WallKind::ellipse:
+      j = {{"kind", "ellipse"},
+           {"centre", numbers(w.centre)},
+           {"axes", numbers(w.axes)},
+           {"angle", w.angle.value},
+           {"side", w.side == WallSide::inside ? "inside" : "outside"}};
+      break;
     case WallKind::parabola:
+      j = {{"kind", "parabola"},
+           {"centre", numbers(w.centre)},
+           {"angle", w.angle.value},
+           {"focal_length", w.focal_length.value},
+           {"half_width", w.half_width.value}};
+      break;
     case WallKind::curve:
-      break;  // refused by name
+      j = {{"kind", "curve"},
+           {"centre", numbers(w.centre)},
+           {"angle", w.angle.value},
+           {"cosines", numbers(w.cosines)},
+           {"sines", numbers(w.sines)},
+           {"side", w.side == WallSide::inside ? "inside" : "outside"}};
+      break;
   }
   if (!w.velocity.empty()) j["velocity"] = numbers(w.velocity);
   if (w.opening) j["opening"] = true;

@@ -2,6 +2,8 @@
 // When a ball meets a wall: a function of the ball's stored state and the shape.
 
 #include "carom/motion/motion.hpp"
+#include "carom/predict/ball_arc.hpp"
+#include "carom/predict/ball_curve.hpp"
 #include "carom/predict/contact.hpp"
 #include "carom/predict/event.hpp"
 #include "carom/predict/leaving.hpp"
@@ -34,14 +36,6 @@ template <Motion M>
     if (touch != Touch::none) return touch == Touch::live ? Real(0) : never<Real>();
     return gap_time<Real>(gap, rate);
   }
-}
-
-/// Sign of (vertex - x) x v: on which side of a point's straight path a vertex lies.
-template <class Real>
-[[nodiscard]] inline int side_of_path(const Vec<Real, 2>& x, const Vec<Real, 2>& v, const Vec<Real, 2>& vertex) {
-  const Wide<Real> rx = wide_difference<Real>(vertex[0], x[0]), ry = wide_difference<Real>(vertex[1], x[1]);
-  const Real cross = narrow(Wide<Real>(rx * Wide<Real>(v[1]) - ry * Wide<Real>(v[0])));
-  return cross > 0 ? 1 : cross < 0 ? -1 : 0;
 }
 
 /// A point at x meets a vertex only if its path runs straight through it.
@@ -104,7 +98,7 @@ template <Motion M>
   }
   const Real sigma = sphere.radius + ball.radius;
   if (sigma == 0)
-    return M::accelerated || touch != Touch::none ? never<Real>() : flight_to_vertex<Real, D>(x, v, sphere.centre);
+    return sphere.smooth || M::accelerated || touch != Touch::none ? never<Real>() : flight_to_vertex<Real, D>(x, v, sphere.centre);
   if constexpr (M::accelerated)
     return touch == Touch::none ? meet_time<Real, D>(r, v, a, sigma) : next_meet_time<Real, D>(r, v, a);
   return touch == Touch::none ? meet_time<Real, D>(r, v, sigma) : never<Real>();
@@ -125,13 +119,6 @@ template <class Real>
   if (!(a.rate > 0) || !(a.half < 0)) return never<Real>();  // never rises to fall again
   return discriminant(Real(4 * a.half), a.rate, gap) > 0 ? first_fall(gap, a.rate, a.half) : never<Real>();
 }
-
-/// A flight time to a two-sided wall, and the side of approach.
-template <class Real>
-struct SidedFlight {
-  Real flight;
-  std::int8_t side;
-};
 
 /// A ball meets the open segment where it comes down to its line between the ends. The ends themselves are vertices:
 /// whether a point's straight path runs to the left or to the right of a vertex is one sign, the same for both segments
@@ -160,7 +147,8 @@ template <Motion M>
                beyond = dot<Real, 2>(segment.along, at - segment.to);
     if (ball.radius > 0) return before >= 0 && beyond <= 0;  // beside the span the ends are met first
     if constexpr (!M::accelerated) {
-      const int left = side_of_path(x, v, segment.from), right = side_of_path(x, v, segment.to);
+      const int left = side_of_path(x, v, segment.from, segment.smooth_from),
+                right = side_of_path(x, v, segment.to, segment.smooth_to);
       return left * right < 0;
     }
     const Real doubt =
@@ -185,6 +173,24 @@ template <Motion M>
   return first;
 }
 
+/// A curved wall, which the ball may touch.
+template <Motion M, class Shape>
+[[nodiscard]] inline SidedFlight<typename M::Real> flight_to_curved(const M& motion,
+                                                                    const World<typename M::Real, 2>& world,
+                                                                    const Ball<typename M::Real, 2>& ball,
+                                                                    const Shape& shape, const Contact<2>* contact) {
+  using Real = typename M::Real;
+  const Touch touch = touch_of_wall(contact, ball);
+  const Vec<Real, 2> x = ball.position - drift(world, shape, ball.time), v = ball.velocity - shape.velocity,
+                     a = motion.acceleration(motion.phase(ball));
+  const std::int8_t side = contact != nullptr ? contact->side : std::int8_t(0);
+  if constexpr (std::is_same_v<Shape, Arc<Real>>) {
+    return flight_to_arc<M::accelerated, Real>(shape, x, v, a, ball.radius, touch, side);
+  } else {
+    return flight_to_curve<M::accelerated, Real>(shape, x, v, a, ball.radius, touch, side);
+  }
+}
+
 /// The moment at which the centre of ball i comes to an opening: it leaves.
 template <Motion M, class Shape>
 [[nodiscard]] inline Event<typename M::Real, M::dimension> predict_exit(const M& motion,
@@ -199,6 +205,8 @@ template <Motion M, class Shape>
   Real flight;
   if constexpr (std::is_same_v<Shape, Segment<Real>>) {
     flight = flight_to_segment(motion, world, centre, placed, contact).flight;
+  } else if constexpr (is_curved<Shape>) {
+    flight = flight_to_curved(motion, world, centre, placed, contact).flight;
   } else {
     flight = flight_to_wall(motion, world, centre, placed, touch_of_wall(contact, centre));
   }
@@ -236,6 +244,10 @@ template <Motion M, class Shape>
   Real flight;
   if constexpr (std::is_same_v<Shape, Segment<Real>>) {
     const SidedFlight<Real> sided = flight_to_segment(motion, world, ball, placed, contact);
+    flight = sided.flight;
+    event.side = sided.side;
+  } else if constexpr (is_curved<Shape>) {
+    const SidedFlight<Real> sided = flight_to_curved(motion, world, ball, placed, contact);
     flight = sided.flight;
     event.side = sided.side;
   } else {

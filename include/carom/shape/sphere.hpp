@@ -17,6 +17,7 @@ struct Sphere {
   Vec<Real, D> velocity;  ///< [length unit / L]
   Real radius = Real(0);  ///< [length unit]
   bool inside = true;     ///< the balls are inside (a concave wall)
+  bool smooth = false;    ///< radius 0: a joint without a corner, which points do not meet
 
   [[nodiscard]] Real gap(const Vec<Real, D>& x) const {
     using std::sqrt;

@@ -24,6 +24,7 @@
 #include "carom/sim/together.hpp"
 #include "carom/sim/unite.hpp"
 #include "carom/sim/wall_party.hpp"
+#include "carom/sim/wall_touch.hpp"
 #include "carom/world/state.hpp"
 
 namespace carom {
@@ -162,13 +163,14 @@ class Collider {
     with_wall(world, event.partner, event.feature, event.image, [&](const auto& shape, const auto& placed) {
       impact.vb = wall_velocity(shape);
       const Vector at = x - wall_drift(world, shape, now);
-      Vector n = towards_ball<Real, D>(placed, at, event.side);
-      if (singular_contact<Real, D>(shape, world.balls[i].radius)) {  // a point at a vertex is sent back
+      const WallTouch<Real, D> place = touch_at<Real, D>(placed, at, world.balls[i].radius, event.side);
+      Vector n = place.normal;
+      if (place.singular) {  // a point at a vertex is sent back
         ++exactness.singular;
         n = -(impact.va - impact.vb);
       }
       for (int k = 0; k < D; ++k) impact.r[k] = W(Real(-n[k]));
-      gap = note_gap(exactness, Real(placed.gap(at) - world.balls[i].radius), world.balls[i].radius);
+      gap = note_gap(exactness, place.gap, world.balls[i].radius);
       if (flat_number(world.walls, shape) != 0) support = Support::corner;
     });
 
@@ -228,7 +230,8 @@ class Collider {
 
   static void note_place(const WorldType& world, const Event<Real, D>& event, const Vector& x, Record<Real, D>& record) {
     with_wall(world, event.partner, event.feature, event.image, [&](const auto& shape, const auto& placed) {
-      fill_place(record, placed, Vector(x - wall_drift(world, shape, event.time)), event.side);
+      fill_place(record, placed, Vector(x - wall_drift(world, shape, event.time)),
+                 world.balls[event.ball].radius, event.side);
     });
   }
 
@@ -259,7 +262,8 @@ class Collider {
                     Outcome<Real, D>& outcome, const Real& e) {
     std::uint8_t number = 0;
     world.walls.with(event.partner, event.feature, [&](const auto& shape) {
-      if constexpr (!std::is_same_v<std::remove_cvref_t<decltype(shape)>, Sphere<Real, D>>) {
+      using Shape = std::remove_cvref_t<decltype(shape)>;
+      if constexpr (!std::is_same_v<Shape, Sphere<Real, D>> && !is_curved<Shape>) {
         const Vector n = towards_ball<Real, D>(shape, Vector(x - wall_drift(world, shape, event.time)), event.side);
         if (!comes_to_rest<Real, D>(shape, n, x, outcome.va, a, world.balls[event.ball].radius, e, event.time)) return;
         number = static_cast<std::uint8_t>(flat_number(world.walls, shape));

@@ -5,6 +5,7 @@
 
 #include "carom/law/impact.hpp"
 #include "carom/sim/record.hpp"
+#include "carom/sim/wall_touch.hpp"
 #include "carom/world/world.hpp"
 
 namespace carom {
@@ -43,9 +44,15 @@ void fill_party(RecordParty<Real, D>& party, const World<Real, D>& world, std::u
 
 /// Where on the wall it was: `at` is the centre of the ball in the frame of the wall, `side` the side that it came from.
 template <class Real, int D, class Shape>
-void fill_place(Record<Real, D>& record, const Shape& shape, const Vec<Real, D>& at, std::int8_t side) {
-  record.curvature = shape.curvature(at, side);
-  record.arclength = shape.arclength(at);
+void fill_place(Record<Real, D>& record, const Shape& shape, const Vec<Real, D>& at, const Real& radius, std::int8_t side) {
+  if constexpr (requires { shape.length; }) {
+    const Real u = touched_parameter<Real>(shape, Vec<Real, D>(at - shape.centre), radius);
+    record.curvature = traced_curvature<Real>(shape, u, side);
+    record.arclength = shape.length.to(shape, u);
+  } else {
+    record.curvature = shape.curvature(at, side);
+    record.arclength = shape.arclength(at);
+  }
 }
 
 }  // namespace carom

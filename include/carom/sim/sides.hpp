@@ -7,6 +7,7 @@
 
 #include "carom/predict/ball_wall.hpp"
 #include "carom/predict/contact.hpp"
+#include "carom/sim/curve_sides.hpp"
 #include "carom/world/state.hpp"
 
 namespace carom {
@@ -23,6 +24,7 @@ class Sides {
   void note(const WorldType& world, std::uint32_t i) {
     if constexpr (D == 2) {
       sides_.clear();
+      curves_.note(world, i);
       const Ball<Real, D>& ball = world.balls[i];
       if (ball.radius > 0) return;
       if (world.space.periodic()) {
@@ -41,6 +43,7 @@ class Sides {
   /// ... and after it. `normal` points away from what the ball has just hit, with any length.
   void keep(WorldType& world, std::uint32_t i, const Vec<Real, D>& normal) const {
     if constexpr (D == 2) {
+      curves_.keep(world, i);
       if (world.space.periodic() && !(world.balls[i].radius > 0)) keep_in_periods(world, i, normal);
       for (std::size_t k = 0; k < sides_.size(); ++k) {
         const Segment<Real>& s = world.walls.segments[k];
@@ -87,6 +90,7 @@ class Sides {
     if (before < -doubt || beyond > doubt) return false;
     const bool at_an_end = before < doubt || beyond > -doubt;
     if (!at_an_end) return side * height <= 0;
+    if (s.smooth_from || s.smooth_to) return true;  // what was hit may be the piece that goes on from here
     // What runs away behind the surface that was hit is out of reach.
     return dot<Real, 2>(normal, s.from - at) > 0 || dot<Real, 2>(normal, s.to - at) > 0;
   }
@@ -104,6 +108,7 @@ class Sides {
   Ball<Real, D> before_;
   Turns<D> image_{};
   std::vector<Contact<D>> held_;
+  CurveSides<Real, D> curves_;
 };
 
 }  // namespace carom

@@ -11,6 +11,7 @@
 #include "carom/sim/measures.hpp"
 #include "carom/sim/touching.hpp"
 #include "carom/sim/wall_party.hpp"
+#include "carom/sim/wall_touch.hpp"
 #include "carom/world/state.hpp"
 
 namespace carom {
@@ -116,11 +117,12 @@ class TogetherMaker {
     with_wall(world_, c.event.partner, c.event.feature, c.event.image, [&](const auto& shape, const auto& placed) {
       impact.vb = wall_velocity(shape);
       const Vector at = a.position - wall_drift(world_, shape, now_);
-      Vector n = towards_ball<Real, D>(placed, at, c.event.side);
-      c.singular = singular_contact<Real, D>(shape, c.radii);
+      const WallTouch<Real, D> place = touch_at<Real, D>(placed, at, c.radii, c.event.side);
+      Vector n = place.normal;
+      c.singular = place.singular;
       if (c.singular) n = -(impact.va - impact.vb);
       for (int k = 0; k < D; ++k) impact.r[k] = W(Real(-n[k]));
-      c.gap = placed.gap(at) - c.radii;
+      c.gap = place.gap;
       flat = flat_number(world_.walls, shape) != 0;
     });
     if (c.singular && impact.va == impact.vb) return false;

@@ -31,6 +31,12 @@ template <class Real, int D>
   return 0;
 }
 
+template <class Real, int D, class Shape>
+  requires is_curved<Shape>
+[[nodiscard]] inline std::size_t flat_number(const Walls<Real, D>&, const Shape&) {
+  return 0;
+}
+
 /// Calls f(piece) for the flat piece `number`.
 template <class Real, int D, class F>
 inline void with_flat(const Walls<Real, D>& walls, std::size_t number, F&& f) {

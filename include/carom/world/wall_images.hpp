@@ -54,6 +54,25 @@ template <class Real, int D>
   return s.radius;
 }
 
+template <class Real>
+[[nodiscard]] inline const Vec<Real, 2>& middle_of(const Arc<Real>& s) {
+  return s.centre;
+}
+template <class Real>
+[[nodiscard]] inline Real reach_of(const Arc<Real>& s) {
+  return s.radius;
+}
+template <class Shape>
+  requires requires(const Shape& s) { s.size(); }
+[[nodiscard]] inline const auto& middle_of(const Shape& s) {
+  return s.centre;
+}
+template <class Shape>
+  requires requires(const Shape& s) { s.size(); }
+[[nodiscard]] inline auto reach_of(const Shape& s) {
+  return s.size();
+}
+
 /// Calls f(n) for every period n in which the piece may come closer than `distance` to x, or x is inside of it. Faces and
 /// planes stand in none.
 template <class Real, int D, class Shape, class F>

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "carom/shape/curved.hpp"
 #include "carom/shape/face.hpp"
 #include "carom/shape/plane.hpp"
 #include "carom/shape/segment.hpp"
@@ -17,6 +18,10 @@ struct Walls {
   std::vector<Plane<Real, D>> planes;
   std::vector<Segment<Real>> segments;  ///< 2-D
   std::vector<Sphere<Real, D>> spheres;
+  std::vector<Arc<Real>> arcs;                ///< 2-D, as are those below
+  std::vector<Ellipse<Real>> ellipses;
+  std::vector<Parabola<Real>> parabolas;
+  std::vector<PolarCurve<Real>> curves;
   std::vector<bool> openings;       ///< by wall number: balls whose centre comes to it leave; empty: none
   std::vector<std::string> labels;  ///< by wall number: "0", "1", ... in file order, then the faces "x-", "x+", "y-", ...
 
@@ -32,6 +37,12 @@ struct Walls {
       for (const auto& s : segments) f(s);
     if constexpr (D > 1)
       for (const auto& s : spheres) f(s);
+    if constexpr (D == 2) {
+      for (const auto& s : arcs) f(s);
+      for (const auto& s : ellipses) f(s);
+      for (const auto& s : parabolas) f(s);
+      for (const auto& s : curves) f(s);
+    }
   }
 
   /// Calls f(shape) for the one piece that is feature `feature` of wall `wall`.

@@ -10,6 +10,7 @@
 #include "carom/predict/ball_wall.hpp"
 #include "carom/predict/event.hpp"
 #include "carom/sim/fixed_step/step_state.hpp"
+#include "carom/sim/wall_touch.hpp"
 
 namespace carom {
 
@@ -169,6 +170,14 @@ class SweepTimes {
       const SidedFlight<double> sided = flight_to_segment(Flight{}, s.world, ball, shape, pressed ? &held : nullptr);
       c.t = sided.flight;
       c.side = sided.side;
+    } else if constexpr (is_curved<Shape>) {
+      Contact<2> held;
+      held.side = last.side;
+      held.acted = !last.pulled;
+      held.own_stamp = ball.stamp;
+      const SidedFlight<double> sided = flight_to_curved(Flight{}, s.world, ball, shape, met && (last.here || last.pulled) ? &held : nullptr);
+      c.t = sided.flight;
+      c.side = sided.side;
     } else {
       c.t = flight_to_wall(Flight{}, s.world, ball, shape, touch);
     }
@@ -197,7 +206,7 @@ class SweepTimes {
         u = shape.velocity;
         at -= u * (s.since_start() + c.t);
       }
-      const double gap = shape.gap(at) - s.radius[c.ball];
+      const double gap = touch_at<double, D>(shape, at, s.radius[c.ball], c.side).gap;
       const StepImpact impact = collide_wall(
           s, c.ball, c.partner, normal(shape, at, Vector(s.v[c.ball] - u), s.radius[c.ball], c.side), u, threshold);
       result = {impact.impulse, c.at_once ? std::max(0.0, -gap) : 0.0, impact.restitution == 0};
@@ -213,7 +222,8 @@ class SweepTimes {
     if constexpr (std::is_same_v<Shape, Segment<double>>) return side * shape.normal(at);
     if constexpr (std::is_same_v<Shape, Sphere<double, D>>)
       if (shape.radius == 0 && radius == 0) return -approach;
-    return shape.normal(at);
+    const WallTouch<double, D> touch = touch_at<double, D>(shape, at, radius, side);
+    return touch.singular ? Vector(-approach) : touch.normal;
   }
 
   std::vector<double> own_;  // [L] since the step began, by ball

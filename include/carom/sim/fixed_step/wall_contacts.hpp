@@ -40,6 +40,14 @@ class WallContacts {
           if (s.from == walls.spheres[k].centre) edges_[k].push_back(s.along);
           if (s.to == walls.spheres[k].centre) edges_[k].push_back(-s.along);
         }
+    if constexpr (D == 2)
+      for (std::size_t k = 0; k < walls.spheres.size(); ++k)
+        for (const Arc<double>& a : walls.arcs) {
+          if (a.wall != walls.spheres[k].wall || a.whole) continue;
+          const Vector from = a.from - a.centre, to = a.to - a.centre;
+          if (a.from == walls.spheres[k].centre) edges_[k].push_back(Vector(-from[1], from[0]));
+          if (a.to == walls.spheres[k].centre) edges_[k].push_back(Vector(to[1], -to[0]));
+        }
   }
 
   /// [length unit / L] speed of the fastest wall.
@@ -59,12 +67,38 @@ class WallContacts {
     }
     if constexpr (D == 2)
       for (const Segment<double>& s : walls_.segments) beside(s, Vector(x - s.velocity * t), radius, within, f);
+    if constexpr (D == 2)
+      walls_.for_each([&](const auto& shape) {
+        if constexpr (is_curved<std::remove_cvref_t<decltype(shape)>>)
+          along_curve(shape, Vector(x - shape.velocity * t), radius, within, f);
+      });
     if constexpr (D > 1)
       for (std::size_t k = 0; k < walls_.spheres.size(); ++k)
         around(k, Vector(x - walls_.spheres[k].velocity * t), radius, within, f);
   }
 
  private:
+  /// A curve with an inside acts from where the balls belong, one with two sides from where the centre is.
+  template <class Shape, class F>
+  static void along_curve(const Shape& shape, const Vector& x, double radius, double within, F& f) requires(D == 2) {
+    double gap;
+    Vector n;
+    if constexpr (std::is_same_v<Shape, Arc<double>>) {
+      if (!shape.spans(Vector(x - shape.centre), 0.0)) return;
+      const double height = shape.height(x);
+      gap = std::abs(height) - radius;
+      n = height < 0 ? Vector(x - shape.centre) : Vector(shape.centre - x);
+    } else {
+      const Vector r = x - shape.centre;
+      n = r - shape.place(nearest_on<double>(shape, r));
+      gap = shape.gap(x);
+      if (gap < 0) n = -n;
+      gap -= radius;
+    }
+    const double length = length_of<double>(n);
+    if (gap <= within && length > 0) f(WallContact<D>{index(shape.wall), shape.feature, gap, Vector(n / length), shape.velocity});
+  }
+
   template <class F>
   static void beside(const Segment<double>& s, const Vector& x, double radius, double within, F& f) requires(D == 2) {
     const double height = s.height(x), gap = std::abs(height) - radius;
