@@ -147,7 +147,8 @@ std::optional<Figure> speeds_of_frames(const std::string& path) {
 /// Every column over the first one; a column `error` is the error of the one before it.
 std::optional<Figure> any_table(const std::string& name, const PlainTable& table) {
   if (table.columns.size() < 2 || table.rows.empty()) return std::nullopt;
-  const bool points = name.find("map") != std::string::npos || name.find("poincare") != std::string::npos;
+  const bool points = name.find("map") != std::string::npos || name.find("poincare") != std::string::npos ||
+                      name.find("sequence") != std::string::npos;
   std::string plots;
   for (std::size_t k = 1; k < table.columns.size(); ++k) {
     if (table.columns[k] == "error") continue;

@@ -38,16 +38,11 @@ void Boundary::add(std::uint32_t wall, std::int32_t feature, double length) {
 
 Boundary::Boundary(const Scene& scene, const Simulation& simulation) {
   walls_ = simulation.wall_count();
-  specs_ = scene.walls;
-  if (!scene.space.lower.empty()) {
-    lower_ = {scene.space.lower[0], scene.space.lower[1]};
-    upper_ = {scene.space.upper[0], scene.space.upper[1]};
-  }
   const auto own = static_cast<std::uint32_t>(scene.walls.size());
   for (std::uint32_t w = 0; w < own; ++w) {
     first_piece_.push_back(pieces_.size());
     features_.push_back(pieces_of(scene.walls[w]));
-    for (std::int32_t f = 0; f < features_.back(); ++f) add(w, f, wall_length(scene.walls[w], f));
+    for (std::int32_t f = 0; f < features_.back(); ++f) add(w, f, scene.walls[w].opening ? 0.0 : wall_length(scene.walls[w], f));
   }
   face_piece_ = pieces_.size();
   if (walls_ > own) {  // numbered x-, x+, y-, y+
@@ -67,28 +62,8 @@ Boundary::Boundary(const Scene& scene, const Simulation& simulation) {
   }
 }
 
-double Boundary::along_wall(const Collision& c, std::uint32_t wall) const {
-  const double x = c.point[0], y = c.point[1];
-  if (wall >= specs_.size()) {
-    const std::size_t face = wall - specs_.size();
-    const std::array<double, 4> from{upper_[1] - y, y - lower_[1], x - lower_[0], upper_[0] - x};
-    return from[face];
-  }
-  const WallSpec& w = specs_[wall];
-  if (w.kind == WallKind::circle) {
-    const double angle = std::atan2(y - w.centre[1], x - w.centre[0]);
-    return w.radius * (angle < 0 ? angle + turn : angle);
-  }
-  if (w.kind == WallKind::segment) return std::hypot(x - w.from[0], y - w.from[1]);
-  if (w.kind == WallKind::polygon && static_cast<std::size_t>(c.feature) < w.vertices.size()) {
-    const Coordinates& from = w.vertices[static_cast<std::size_t>(c.feature)];
-    return std::hypot(x - from[0], y - from[1]);
-  }
-  return c.arclength;
-}
-
 std::size_t Boundary::piece_of(const Collision& c, std::uint32_t wall, double& along) const {
-  along = along_wall(c, wall);
+  along = c.arclength;
   if (wall >= first_piece_.size()) {
     const std::uint32_t face = wall - static_cast<std::uint32_t>(first_piece_.size());
     constexpr std::array<std::size_t, 4> place{3, 1, 0, 2};

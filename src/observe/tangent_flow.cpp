@@ -29,7 +29,6 @@ TangentFlow::TangentFlow(const Scene& scene, const Subject& subject, std::size_t
       epoch_length_(subject.epoch_length),
       magnetic_(subject.magnetic),
       acceleration_(subject.acceleration),
-      walls_(scene.walls),
       last_(subject.moment) {
   for (std::uint32_t i = 0; i < subject.mass.size(); ++i) {
     const bool fixed = i < scene.balls.size() && scene.balls[i].fixed;
@@ -57,15 +56,6 @@ Triple TangentFlow::wall_acceleration(std::uint32_t wall, double time) const {
   Triple a = s.amplitude;
   for (double& component : a) component *= -s.omega * s.omega * std::sin(s.omega * time + s.phase);
   return a;
-}
-
-double TangentFlow::curvature(const Collision& c) const {
-  if (c.partner.number >= walls_.size()) return 0.0;  // a face of the box
-  const WallSpec& wall = walls_[c.partner.number];
-  if (wall.kind == WallKind::circle) return (wall.side == WallSide::inside ? -1 : 1) / wall.radius;
-  if (wall.kind == WallKind::segment && c.feature != 0) return HUGE_VAL;
-  if (wall.kind == WallKind::polygon && static_cast<std::size_t>(c.feature) >= wall.vertices.size()) return HUGE_VAL;
-  return c.curvature;
 }
 
 template <int D>
@@ -103,7 +93,7 @@ void TangentFlow::impact(const Collision& c) {
   m.normal = difference<D>(c.normal, {}, 1);
   m.approach = difference<D>(c.ball.velocity_before, c.partner.velocity_before, unit_);
   m.pull = difference<D>(g_a, g_b, square);
-  m.bend = pair ? 1 / (balls_[i].radius + balls_[j].radius) : bend_of_wall(curvature(c), balls_[i].radius);
+  m.bend = pair ? 1 / (balls_[i].radius + balls_[j].radius) : bend_of_wall(c.curvature, balls_[i].radius);
   m.drop_a = difference<D>(c.ball.velocity_before, c.ball.velocity_after, unit_);
   if (magnetic_ != 0) m.ease_a = difference<D>(g_a, pull(i, c.ball.velocity_after), square);
   const double bounce = 1 + c.restitution, ma = balls_[i].mass;

@@ -31,8 +31,8 @@ void WallSequence::collision(const Collision& c, double, const Subject& subject)
   if (!b) return;
   const Boundary::Piece& piece = boundary_->pieces()[b->piece];
   if (outlet_->open())
-    (*outlet_)(std::array{c.time, static_cast<double>(b->ball), static_cast<double>(piece.wall),
-                          static_cast<double>(piece.feature), static_cast<double>(b->piece)});
+    (*outlet_)(std::array{c.time, static_cast<double>(b->piece), static_cast<double>(piece.wall),
+                          static_cast<double>(piece.feature), static_cast<double>(b->ball)});
   const std::span<double> shares = shares_.row(bounces_++);
   if (shares.size() > 1) shares[b->piece] += 1;
   shares.back() += 1;

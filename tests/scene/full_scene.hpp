@@ -122,6 +122,15 @@ pressure = true
 collision_rate = true
 mean_free_path = true
 speed_histogram = true
+lyapunov = { exponents = 3, every = 0.5, finite_time = 2.0 }
+boundary_map = { file = "map.csv" }
+poincare = { point = [1, 2], normal = [0, 1], file = "section.csv" }
+wall_sequence = true
+rotation_number = true
+caustic = true
+phase_space_portion = { bins = 50 }
+diffusion = { every = 0.5, lags = 20, origins = 5 }
+angle_autocorrelation = { every = 0.25 }
 
 [output]
 events = "events.csv"

@@ -1,7 +1,6 @@
 #pragma once
 // The boundary of a billiard in two dimensions as one line, and where on it collisions take place.
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -23,7 +22,7 @@ struct Bounce {
 
 /// Pieces in a row: the [[wall]]s in the order of their numbers, each with its features in theirs (the edges of a polygon);
 /// the faces of a box, anticlockwise from the lower corner; then the rims of fixed balls, anticlockwise, in the order of
-/// theirs. Corners belong to the piece that begins there, the end of a segment to the segment.
+/// theirs. Corners belong to the piece that begins there, the end of a segment to the segment. Openings have no length.
 class Boundary {
  public:
   struct Piece {
@@ -46,11 +45,8 @@ class Boundary {
 
  private:
   void add(std::uint32_t wall, std::int32_t feature, double length);
-  [[nodiscard]] double along_wall(const Collision& c, std::uint32_t wall) const;
   [[nodiscard]] std::size_t piece_of(const Collision& c, std::uint32_t wall, double& along) const;
 
-  std::vector<WallSpec> specs_;
-  std::array<double, 2> lower_{}, upper_{};
   std::vector<Piece> pieces_;
   double length_ = 0.0;
   std::uint32_t walls_ = 0;                  // with the faces

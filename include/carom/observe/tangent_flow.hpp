@@ -57,7 +57,6 @@ class TangentFlow {
   template <int D>
   void impact(const Collision& c);
   [[nodiscard]] Triple wall_acceleration(std::uint32_t wall, double time) const;
-  [[nodiscard]] double curvature(const Collision& c) const;
   [[nodiscard]] double* rows_of(std::size_t mover) {
     return rows_.data() + mover * 2 * static_cast<std::size_t>(dimension_) * count_;
   }
@@ -75,7 +74,6 @@ class TangentFlow {
     double omega = 0.0, phase = 0.0;
   };
   std::vector<Swing> swings_;  // by wall; empty: no wall swings
-  std::vector<WallSpec> walls_;
   std::vector<double> rows_;
   Time<double> last_;
   std::array<std::size_t, 2> touched_{};  // movers of the last collision

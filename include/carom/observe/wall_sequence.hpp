@@ -12,7 +12,7 @@
 
 namespace carom {
 
-/// Rows: time [time], ball, wall and feature (Boundary::Piece), piece. The pieces of the boundary are the symbols.
+/// Rows: time [time], piece, its wall and feature (Boundary::Piece), ball. The pieces of the boundary are the symbols.
 ///   wall_sequence.share[k] [-]: collisions with piece k over all, for up to `most_shares` pieces;
 ///   wall_sequence.entropy [nat]: what a symbol says that those before it did not, H_n - H_(n-1) with H_n the entropy of words
 ///   of n symbols, for the longest words, up to `most_words` different ones, that came up 32 times each on average. It is an
@@ -23,7 +23,7 @@ class WallSequence {
 
   WallSequence(std::shared_ptr<const Boundary> boundary, const RowOutlet& outlet, const Subject& subject);
 
-  static std::vector<std::string> columns() { return {"time", "ball", "wall", "feature", "piece"}; }
+  static std::vector<std::string> columns() { return {"time", "piece", "wall", "feature", "ball"}; }
 
   void collision(const Collision& c, double t, const Subject& subject);
   void end(double) {}
