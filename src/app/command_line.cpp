@@ -35,6 +35,7 @@ class Parser {
     bench_command_ = add_bench_command(program_, bench_);
     view_command_ = add_view_command(program_, view_);
     plot_command_ = add_plot_command(program_, plot_);
+    sweep_command_ = add_sweep_command(program_, sweep_);
     completion_command_ = add_completion_command(program_, completion_);
     man_command_ = add_man_command(program_);
   }
@@ -57,6 +58,7 @@ class Parser {
     if (bench_command_->parsed()) return bench_;
     if (view_command_->parsed()) return view_;
     if (plot_command_->parsed()) return plot_;
+    if (sweep_command_->parsed()) return sweep_;
     if (completion_command_->parsed()) return Answer{ExitStatus::done, completion_script(command_tree(program_), completion_.shell)};
     if (man_command_->parsed()) return Answer{ExitStatus::done, manual_page(command_tree(program_))};
     return Answer{ExitStatus::wrong_input, "carom: a command is missing. See carom --help\n"};
@@ -103,9 +105,10 @@ class Parser {
   BenchOptions bench_;
   ViewOptions view_;
   PlotOptions plot_;
+  SweepOptions sweep_;
   CompletionOptions completion_;
   CLI::App *run_command_, *check_command_, *compare_command_, *convert_command_, *explain_command_, *new_command_, *bench_command_,
-      *certify_command_, *view_command_, *plot_command_, *completion_command_, *man_command_;
+      *certify_command_, *view_command_, *plot_command_, *sweep_command_, *completion_command_, *man_command_;
 };
 
 ExitStatus carry_out(const Answer& answer, const Console& console) {
@@ -122,6 +125,7 @@ ExitStatus carry_out(const NewOptions& options, const Console& console) { return
 ExitStatus carry_out(const BenchOptions& options, const Console& console) { return bench(options, console); }
 ExitStatus carry_out(const ViewOptions& options, const Console& console) { return view(options, console); }
 ExitStatus carry_out(const PlotOptions& options, const Console& console) { return plot(options, console); }
+ExitStatus carry_out(const SweepOptions& options, const Console& console) { return sweep(options, console); }
 
 ExitStatus carry_out_any(const Command& command, const Console& console) {
   const ExitStatus status = std::visit([&](const auto& c) { return carry_out(c, console); }, command);

@@ -16,6 +16,7 @@
 #include "new_command.hpp"
 #include "plot_command.hpp"
 #include "run_command.hpp"
+#include "sweep_command.hpp"
 #include "view_command.hpp"
 
 namespace carom::app {
@@ -27,7 +28,7 @@ struct Answer {
 };
 
 using Command = std::variant<Answer, RunOptions, CheckOptions, CompareOptions, ConvertOptions, ExplainOptions, NewOptions, PlotOptions,
-                             BenchOptions, CertifyOptions, ViewOptions>;
+                             BenchOptions, CertifyOptions, ViewOptions, SweepOptions>;
 
 /// `words` are the arguments without the program's name.
 [[nodiscard]] Command parse(const std::vector<std::string>& words);

@@ -8,7 +8,7 @@ namespace carom::app {
 namespace {
 
 // A name is deleted when its command is there.
-constexpr std::array<std::string_view, 2> unbuilt{"sweep", "orbit"};
+constexpr std::array<std::string_view, 1> unbuilt{"orbit"};
 
 }  // namespace
 

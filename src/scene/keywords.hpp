@@ -68,6 +68,8 @@ inline constexpr std::array queue_kinds{Word<QueueKind>{"auto", QueueKind::autom
 inline constexpr std::array frame_kinds{Word<FramesAt>{"samples", FramesAt::samples},
                                         Word<FramesAt>{"events", FramesAt::events}};
 
+inline constexpr std::array combinations{Word<Combine>{"grid", Combine::grid}, Word<Combine>{"zip", Combine::zip}};
+
 /// The word for a choice. A value that is none of the list (a wild cast) gives an empty word.
 template <class E>
 [[nodiscard]] std::string_view word_for(std::span<const Word<E>> words, E value) {

@@ -3,28 +3,11 @@
 #include <algorithm>
 #include <utility>
 
-#include <fmt/core.h>
+#include "words.hpp"
 
 namespace carom::scene_text {
 
 namespace {
-
-// A TOML string that means `value`: what is no control character stands for itself.
-std::string toml_string(const std::string& value) {
-  std::string s = "\"";
-  for (const char c : value) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      s += '\\';
-      s += c;
-    } else if (byte < 0x20 || byte == 0x7f) {
-      s += fmt::format("\\u{:04X}", static_cast<unsigned>(byte));
-    } else {
-      s += c;
-    }
-  }
-  return s + '"';
-}
 
 std::string assignment(const std::string& value) { return "value = " + value; }
 

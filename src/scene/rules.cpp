@@ -203,6 +203,7 @@ std::vector<Finding> findings(const Scene& scene) {
   judge_gases(j);
   judge_walls(j);
   judge_tables(j);
+  judge_ensemble(j);
   judge_run(j);
   judge_observe(j);
   judge_output(j);

@@ -8,6 +8,7 @@
 
 #include <fmt/core.h>
 
+#include "node_text.hpp"
 #include "unbuilt.hpp"
 #include "words.hpp"
 
@@ -175,6 +176,15 @@ void TableReader::text(std::string_view key, std::string& to) {
   } else {
     wrong_type(*node, path_ / std::string(key), "a string is needed");
   }
+}
+
+void TableReader::values(std::string_view key, std::vector<std::string>& to) {
+  const toml::node* node = take(key);
+  if (node == nullptr) return;
+  const toml::array* array = node->as_array();
+  if (array == nullptr || array->empty())
+    return wrong_type(*node, path_ / std::string(key), "an array of values is needed", "Write [0.5, 1.0]");
+  for (const toml::node& element : *array) to.push_back(node_text(report_, element));
 }
 
 std::optional<std::string> TableReader::read_word(std::string_view key) {

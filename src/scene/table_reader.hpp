@@ -34,6 +34,8 @@ class TableReader {
   void seed(std::string_view key, std::uint64_t& to);
   void flag(std::string_view key, bool& to);
   void text(std::string_view key, std::string& to);
+  /// The elements of an array, whatever they are, as TOML.
+  void values(std::string_view key, std::vector<std::string>& to);
 
   /// A word of a list. Returns false if the key is there and its word is none of them.
   template <class E>

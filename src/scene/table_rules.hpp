@@ -71,5 +71,6 @@ void judge_lattices(Judgement& judgement);
 void judge_gases(Judgement& judgement);
 void judge_walls(Judgement& judgement);
 void judge_observe(Judgement& judgement);
+void judge_ensemble(Judgement& judgement);
 
 }  // namespace carom::scene_text

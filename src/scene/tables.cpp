@@ -317,6 +317,7 @@ Scene read_tables(const toml::table& table, Report& report) {
   read_each(root, "gas", read_gas, s.gases);
   read_each(root, "wall", read_wall, s.walls);
   read_each(root, "table", read_ready_table, s.tables);
+  if (std::optional<TableReader> t = root.table("ensemble")) s.ensemble = read_ensemble(std::move(*t));
   read_one(root, "run", read_run, s.run);
   read_one(root, "engine", read_engine, s.engine);
   read_one(root, "observe", read_observe, s.observe);

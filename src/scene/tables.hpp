@@ -9,4 +9,6 @@ namespace carom::scene_text {
 /// Reads every table of the scene; unknown keys, wrong types and unknown words go to the report.
 [[nodiscard]] Scene read_tables(const toml::table& root, Report& report);
 
+[[nodiscard]] EnsembleSpec read_ensemble(TableReader t);
+
 }  // namespace carom::scene_text

@@ -25,7 +25,6 @@ constexpr std::array unbuilt{
     Unbuilt{"wall.oscillation"},
     Unbuilt{"wall.velocity", "circle"},
     Unbuilt{"wall.velocity", "polygon"},
-    Unbuilt{"ensemble"},
 };
 
 }  // namespace

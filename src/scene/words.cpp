@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include <fmt/core.h>
+
 namespace carom::scene_text {
 
 namespace {
@@ -28,6 +30,22 @@ constexpr std::size_t longest_known = 64;  // no key of carom is as long; keeps 
 }  // namespace
 
 std::string in_quotes(std::string_view word) { return '"' + std::string(word) + '"'; }
+
+std::string toml_string(const std::string& value) {
+  std::string s = "\"";
+  for (const char c : value) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      s += '\\';
+      s += c;
+    } else if (byte < 0x20 || byte == 0x7f) {
+      s += fmt::format("\\u{:04X}", static_cast<unsigned>(byte));
+    } else {
+      s += c;
+    }
+  }
+  return s + '"';
+}
 
 std::string listed(const std::vector<std::string_view>& words) {
   std::string s;

@@ -9,6 +9,9 @@ namespace carom::scene_text {
 
 [[nodiscard]] std::string in_quotes(std::string_view word);
 
+/// A TOML string that means `value`: what is no control character stands for itself.
+[[nodiscard]] std::string toml_string(const std::string& value);
+
 /// `"a", "b" or "c"`.
 [[nodiscard]] std::string listed(const std::vector<std::string_view>& words);
 

@@ -66,4 +66,10 @@ std::string json_text(const Json& object) {
   return text + '\n';
 }
 
+std::string json_line(const Json& object) {
+  std::string text;
+  append(text, object, -1);
+  return text;
+}
+
 }  // namespace carom

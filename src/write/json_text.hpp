@@ -23,4 +23,7 @@ inline void to_json(Json& json, const Number& number) {
 /// A line for each key of the object and for each object in an array, ended by a newline. Non-finite numbers are null.
 [[nodiscard]] std::string json_text(const Json& object);
 
+/// The same on one line, without a newline.
+[[nodiscard]] std::string json_line(const Json& object);
+
 }  // namespace carom

@@ -9,10 +9,6 @@ namespace {
 
 Json or_null(const std::optional<Number>& x) { return x ? Json(*x) : Json(nullptr); }
 
-Json events(const EventCounts& e) {
-  return {{"ball_ball", e.ball_ball}, {"ball_wall", e.ball_wall}, {"other", e.other}, {"ties", e.ties}};
-}
-
 Json energy(const EnergyBalance& e) {
   return {{"initial", e.initial},
           {"final", e.final},
@@ -55,8 +51,14 @@ Json& step(Json& place, const std::string& level) {
   return list[static_cast<Json::size_type>(std::stoul(level.substr(bracket + 1)))];
 }
 
+}  // namespace
+
+Json events_object(const EventCounts& e) {
+  return {{"ball_ball", e.ball_ball}, {"ball_wall", e.ball_wall}, {"other", e.other}, {"ties", e.ties}};
+}
+
 /// A dot in a name goes one level down.
-Json observed(const Estimates& estimates) {
+Json observed_object(const Estimates& estimates) {
   Json tree = Json::object();
   for (const Estimate& e : estimates) {
     Json* place = &tree;
@@ -70,7 +72,7 @@ Json observed(const Estimates& estimates) {
   return tree;
 }
 
-Json final_state(const std::vector<BallState>& balls) {
+Json final_object(const std::vector<BallState>& balls) {
   Json list = Json::array();
   for (const BallState& b : balls)
     list.push_back({{"index", b.index},
@@ -81,8 +83,6 @@ Json final_state(const std::vector<BallState>& balls) {
                     {"velocity", b.velocity}});
   return list;
 }
-
-}  // namespace
 
 Json summary_object(const RunReport& report) {
   const Summary& s = report.summary;
@@ -96,13 +96,13 @@ Json summary_object(const RunReport& report) {
          {"time", s.time},
          {"stopped_by", word(s.stopped_by)}};
   if (s.stopped) j["stopped"] = {{"reason", s.stopped->reason}, {"balls", s.stopped->balls}, {"time", s.stopped->time}};
-  j["events"] = events(s.events);
+  j["events"] = events_object(s.events);
   j["energy"] = energy(s.energy);
   j["momentum"] = momentum(s.momentum);
   j["angular_momentum"] = angular_momentum(s.angular_momentum);
   j["exactness"] = exactness(s.exactness);
-  j["observed"] = observed(report.observed);
-  if (report.final) j["final"] = final_state(*report.final);
+  j["observed"] = observed_object(report.observed);
+  if (report.final) j["final"] = final_object(*report.final);
   j["seconds"] = report.seconds;
   j["collisions_per_second"] = report.collisions_per_second();
   j["peak_memory_mb"] = report.peak_memory_mb;

@@ -40,7 +40,6 @@ const std::vector<Asking> asking = {
     {"wall.velocity", "segment", "[[wall]]\nkind = \"segment\"\nfrom = [0, 0]\nto = [1, 0]\nvelocity = [0, 1]"},
     {"wall.velocity", "polygon", "[[wall]]\nkind = \"polygon\"\nvertices = [[0, 0], [1, 0], [0, 1]]\nvelocity = [0, 1]"},
     {"table", "", "[[table]]"},
-    {"ensemble", "", "[ensemble]"},
     {"engine.search", "cells", "[engine]\nsearch = \"cells\""},
     {"observe.after", "", "[observe]\nafter = { time = 1.0 }"},
     {"observe.pressure", "", "[observe]\npressure = true"},

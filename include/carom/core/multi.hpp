@@ -10,8 +10,8 @@ namespace carom {
 /// of their operands.
 using Multi = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<0>, boost::multiprecision::et_off>;
 
-/// While it lives, new numbers of type Real have `digits` decimal digits; what was set before is put back. For Multi this is
-/// the state of the thread; types of one precision are left alone.
+/// While it lives, new numbers of type Real have `digits` digits; then those before. For Multi this is the state of the process
+/// (before Boost 1.76) or thread: threads need one scope around them all. Types of one precision are left alone.
 template <class Real>
 class PrecisionScope {
  public:

@@ -274,21 +274,26 @@ struct OutputSpec {
   Where where{};
 };
 
-/// One key of the scene that the runs of an ensemble differ in: listed values, or a range walked in equal steps or drawn from.
+/// One key of the scene that the runs of an ensemble differ in: one of listed values, of equal steps through a range, or drawn.
 struct VarySpec {
   std::string key{};                     ///< dotted path, as --set takes it
-  std::vector<std::string> values{};     ///< TOML values, one a run
+  std::vector<std::string> values{};     ///< TOML values
   std::optional<Number> from{}, to{};    ///< a range
-  std::int64_t steps = 0;                ///< > 0: so many values from `from` to `to`, both included; 0: drawn, uniform
+  std::int64_t steps = 0;                ///< > 1: so many values from `from` to `to`, both included; 0: drawn, uniform; with
+                                         ///< neither values nor range what is drawn depends on the key [Ensemble]
   Where where{};
 };
 
+/// How the lists of several keys are combined: each value of one with each of the others, or the k-th of all together.
+enum class Combine : std::uint8_t { grid, zip };
+
 /// Many runs of one scene.
 struct EnsembleSpec {
-  std::optional<std::int64_t> count{};  ///< runs. DEFAULT: as many as the values of `vary`
-  std::uint64_t seed = 1;               ///< of what is drawn; run i draws from (seed, i). DEFAULT: 1
+  std::optional<std::int64_t> count{};  ///< runs at each combination of the listed values. DEFAULT: 1
+  std::uint64_t seed = 1;               ///< of what is drawn: a function of seed, run and key. DEFAULT: 1
   std::vector<VarySpec> vary{};
   Where where{};
+  Combine combine = Combine::grid;      ///< DEFAULT: grid
 };
 
 struct Scene {
