@@ -308,8 +308,8 @@ bool collide_carefully(SwarmRun<D>& run, std::uint32_t i, std::uint32_t partner,
 }
 
 template <int D>
-void report_collision(SwarmRun<D>& run, std::uint32_t i, std::uint32_t j, const Time<double>& t, const Flight<D>& before_i,
-                      const Flight<D>& before_j, bool hit_i, bool hit_j, const double* image) {
+void report_collision(SwarmRun<D>& run, std::uint32_t i, std::uint32_t j, const Time<double>& t, const double* image) {
+  const auto& [before_i, before_j, hit_i, hit_j] = run.before;
   const bool ordered = run.swarm.past[i].number < run.swarm.past[j].number;
   const std::uint32_t a = ordered ? i : j, b = ordered ? j : i;
   const Flight<D>&before_a = ordered ? before_i : before_j, &before_b = ordered ? before_j : before_i;
@@ -395,10 +395,8 @@ template bool first_due_at_a_tie(const SwarmRun<2>&, std::uint32_t, std::uint32_
 template bool first_due_at_a_tie(const SwarmRun<3>&, std::uint32_t, std::uint32_t);
 template bool collide_carefully(SwarmRun<2>&, std::uint32_t, std::uint32_t, const Time<double>&);
 template bool collide_carefully(SwarmRun<3>&, std::uint32_t, std::uint32_t, const Time<double>&);
-template void report_collision(SwarmRun<2>&, std::uint32_t, std::uint32_t, const Time<double>&, const Flight<2>&,
-                               const Flight<2>&, bool, bool, const double*);
-template void report_collision(SwarmRun<3>&, std::uint32_t, std::uint32_t, const Time<double>&, const Flight<3>&,
-                               const Flight<3>&, bool, bool, const double*);
+template void report_collision(SwarmRun<2>&, std::uint32_t, std::uint32_t, const Time<double>&, const double*);
+template void report_collision(SwarmRun<3>&, std::uint32_t, std::uint32_t, const Time<double>&, const double*);
 template bool refill_calendar(SwarmRun<2>&);
 template bool refill_calendar(SwarmRun<3>&);
 template void tune_calendar(SwarmRun<2>&);

@@ -118,6 +118,7 @@ Swarm<D> make_swarm(World<double, D>&& world) {
   world.balls = {};
   swarm.rest = std::move(world);
   for (int k = 0; k < D; ++k) {
+    swarm.lower[k] = swarm.rest.space.lower[k];
     swarm.edge[k] = swarm.rest.space.edge[k];
     swarm.per_edge[k] = 1 / swarm.edge[k];
   }

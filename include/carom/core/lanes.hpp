@@ -122,13 +122,14 @@ CAROM_INLINE LaneMask in_order(const Lanes& x) {
 }
 
 /// x[order[0 .. 4)].
-CAROM_INLINE Lanes permuted(const Lanes& x, const LaneMask& order) {
+template <class T>
+CAROM_INLINE T permuted(const T& x, const LaneMask& order) {
 #if defined(__AVX2__)
   const LaneMask low = order + order;
-  return std::bit_cast<Lanes>(
+  return std::bit_cast<T>(
       _mm256_permutevar8x32_epi32(std::bit_cast<__m256i>(x), std::bit_cast<__m256i>(low | (low << 32) | (1LL << 32))));
 #else
-  return Lanes{x[order[0]], x[order[1]], x[order[2]], x[order[3]]};
+  return T{x[order[0]], x[order[1]], x[order[2]], x[order[3]]};
 #endif
 }
 

@@ -135,33 +135,47 @@ CAROM_INLINE void find_candidates(const Swarm<D>& swarm, std::uint32_t i, const 
   terms.candidates = bits & ((std::uint64_t{1} << count) - 1);
 }
 
-/// The meetings of up to four candidates, in order.
-struct Meetings4 {
-  Lanes flight;     ///< those that plain arithmetic does not settle: a bound below; no_flight: none
-  LaneMask order;   ///< of flight[k] in `place` and `unsettled`
-  std::uint32_t place[lanes];  ///< which candidate
-  unsigned unsettled;          ///< bit order[k]: flight[k] is a bound
-  bool all;                    ///< false: there are more candidates
+/// The first meetings of some candidates, in order: four, of which the last is there to say what the third may be.
+struct FirstFew {
+  Lanes flight;        ///< no_flight: none
+  LaneMask row;        ///< of the candidate; nobody where there is none
+  LaneMask doubt;      ///< set: plain arithmetic does not settle this one, and `flight` is a bound below
+  std::uint64_t left;  ///< bits of the candidates that have not been looked at
 
-  [[nodiscard]] CAROM_INLINE bool certain(int k) const { return (unsettled >> order[k] & 1) == 0; }
-  [[nodiscard]] CAROM_INLINE std::uint32_t candidate(int k) const { return place[order[k]]; }
+  CAROM_INLINE void put_in_order() {
+    const LaneMask order = in_order(flight);
+    flight = permuted(flight, order);
+    row = permuted(row, order);
+    doubt = permuted(doubt, order);
+  }
+  /// The first four of these and others.
+  CAROM_INLINE void merge(const FirstFew& other) {
+    const Lanes from_behind = __builtin_shufflevector(other.flight, other.flight, 3, 2, 1, 0);
+    const LaneMask mine = flight <= from_behind;
+    row = mine ? row : __builtin_shufflevector(other.row, other.row, 3, 2, 1, 0);
+    doubt = mine ? doubt : __builtin_shufflevector(other.doubt, other.doubt, 3, 2, 1, 0);
+    flight = mine ? flight : from_behind;
+    left = other.left;
+    put_in_order();
+  }
 };
 
-/// The first four candidates. What plain arithmetic settles (solve/quadratic.hpp: neither near contact nor grazing) is settled.
-/// `sigma`: the sum of two radii, where all are equal.
+/// The first four of the candidates whose bits are set. What plain arithmetic settles (solve/quadratic.hpp: neither near
+/// contact nor grazing) is settled. `sigma`: the sum of two radii, where all are equal.
 template <bool equal>
-CAROM_INLINE void meet_four(const PairTermsOfList<equal>& terms, std::uint64_t candidates, double sigma, Meetings4& m) {
+CAROM_INLINE FirstFew meet_four(const PairTermsOfList<equal>& terms, std::uint64_t candidates, const std::uint32_t* near,
+                                double sigma) {
+  constexpr std::uint32_t nothing = PairTermsOfList<equal>::most;
+  std::uint32_t at[lanes];
+  LaneMask row;
   std::uint64_t left = candidates;
-  const int n = __builtin_popcountll(left);
   for (int k = 0; k < lanes; ++k) {
-    m.place[k] = static_cast<std::uint32_t>(__builtin_ctzll(left | std::uint64_t{1} << PairTermsOfList<equal>::most));
+    at[k] = static_cast<std::uint32_t>(__builtin_ctzll(left | std::uint64_t{1} << nothing));
+    row[k] = near[at[k] == nothing ? 0 : at[k]];
     left &= left - 1;
   }
-  m.all = left == 0;
-  const auto chosen = [&m](const double* from) {
-    return Lanes{from[m.place[0]], from[m.place[1]], from[m.place[2]], from[m.place[3]]};
-  };
-  const LaneMask there = LaneMask{0, 1, 2, 3} < LaneMask{} + static_cast<long long>(n);
+  const auto chosen = [&at](const double* from) { return Lanes{from[at[0]], from[at[1]], from[at[2]], from[at[3]]}; };
+  const LaneMask there = LaneMask{0, 1, 2, 3} < LaneMask{} + static_cast<long long>(__builtin_popcountll(candidates));
   const Lanes b = chosen(terms.b), rr = chosen(terms.rr), a = chosen(terms.a), cross = chosen(terms.cross);
   const Lanes sum = equal ? spread(sigma) : chosen(terms.sigma);
   const Lanes ss = sum * sum, c = rr - ss, ass = a * ss, d = ass - cross;
@@ -171,10 +185,13 @@ CAROM_INLINE void meet_four(const PairTermsOfList<equal>& terms, std::uint64_t c
   const Lanes t = c / (sqrt(sure ? d : 2 * detail::near_grazing * ass + detail::no_underflow) - b);
   const Lanes bound = far & coming ? 0.99 * t : Lanes{};
   const LaneMask none = parting | ~there, exact = sure & coming;
-  const Lanes flight = none ? spread(FirstMeetings::no_flight) : exact ? t : bound;
-  m.order = in_order(flight);
-  m.flight = permuted(flight, m.order);
-  m.unsettled = static_cast<unsigned>(sign_bits(~(none | exact)));
+  FirstFew few;
+  few.flight = none ? spread(FirstMeetings::no_flight) : exact ? t : bound;
+  few.row = none ? LaneMask{} + FirstMeetings::nobody : row;
+  few.doubt = ~(none | exact);
+  few.left = left;
+  few.put_in_order();
+  return few;
 }
 
 /// All of these flights, none beyond 2^51, after t, as `after` in core/clock.hpp; no_flight: never.

@@ -10,8 +10,8 @@
 #include <atomic>
 #include <cstdint>
 
-#include "carom/core/double_double.hpp"
 #include "carom/predict/first_meetings.hpp"
+#include "carom/sim/swarm_impact.hpp"
 #include "carom/sim/swarm_run.hpp"
 
 namespace carom {
@@ -75,7 +75,7 @@ class SwarmLoop {
       const Time<double> t = due.time;
       if (run.swarm.flights[i].time() == t || (!wall && run.swarm.flights[j].time() == t)) return Halt::unusual;
       if (run.plain && !wall) {
-        collide(run, i, j, t);
+        SwarmImpact<D, Target, periodic, equal>::collide(run, i, j, t);
       } else if (!detail::collide_carefully(run, i, j, t)) {
         return Halt::unusual;
       }
@@ -224,7 +224,7 @@ class SwarmLoop {
     const std::uint32_t* near;
     std::uint32_t count;
     PairTermsOfList<equal> terms;
-    Meetings4 meetings;
+    FirstFew first;
     std::uint32_t all[PairTermsOfList<equal>::most];  // where the slot does not hold it
   };
   static constexpr std::uint32_t most_near = PairTermsOfList<equal>::most;
@@ -247,13 +247,38 @@ class SwarmLoop {
     terms.candidates &= ~bits_of(at.near, at.count, hit);
   }
   CAROM_INLINE static void meet(const Run& run, std::uint32_t i, Look& at) {
-    meet_four(at.terms, at.terms.candidates, 2 * run.swarm.template kind<equal>(i).radius, at.meetings);
+    at.first = meet_four(at.terms, at.terms.candidates, at.near, 2 * run.swarm.template kind<equal>(i).radius);
   }
 
-  /// True if the first two meetings found are certain, and their order.
-  CAROM_INLINE static bool settled(const Look& at) {
-    const Meetings4& m = at.meetings;
-    return m.all & m.certain(0) & m.certain(1) & !undecided(m.flight[0], m.flight[1], m.flight[2]) & (at.count != 0);
+  /// Goes on until the first two meetings are certain, and their order. False: they are to be found pair by pair.
+  CAROM_INLINE static bool settle(Run& run, std::uint32_t i, Look& at) {
+    FirstFew& few = at.first;
+    if (few.left != 0) [[unlikely]]
+      meet_others(run, i, at);
+    if ((sign_bits(few.doubt) & 3) != 0) [[unlikely]]
+      if (!settle_doubts(run, i, at)) return false;
+    return !undecided(few.flight[0], few.flight[1], few.flight[2]) & (at.count != 0);
+  }
+  [[gnu::noinline, gnu::flatten]] static void meet_others(const Run& run, std::uint32_t i, Look& at) {
+    while (at.first.left != 0)
+      at.first.merge(meet_four(at.terms, at.first.left, at.near, 2 * run.swarm.template kind<equal>(i).radius));
+  }
+  /// Those in doubt that may be among the first two are settled. What is not among the four that are known comes after the
+  /// last of them: one of these at least must stay.
+  [[gnu::noinline, gnu::flatten]] static bool settle_doubts(Run& run, std::uint32_t i, Look& at) {
+    FirstFew& few = at.first;
+    const double known = few.flight[3];
+    for (int turn = 0; turn < 8; ++turn) {
+      const int doubts = sign_bits(few.doubt) & 3;
+      if (doubts == 0) return few.flight[2] <= known || known == FirstMeetings::no_flight;
+      const int k = (doubts & 1) != 0 ? 0 : 1;
+      double t;
+      if (!meet_closely(run, i, static_cast<std::uint32_t>(few.row[k]), t)) return false;
+      few.flight[k] = t < FirstMeetings::no_flight ? t : FirstMeetings::no_flight;
+      few.doubt[k] = 0;
+      few.put_in_order();
+    }
+    return false;
   }
 
   /// Both meetings of balls i and j, which have just hit each other at run.now, are found anew.
@@ -269,8 +294,8 @@ class SwarmLoop {
     set_exits(run, i, j);
     meet(run, i, a);
     meet(run, j, b);
-    const Meetings4 &ma = a.meetings, &mb = b.meetings;
-    const Lanes flights = __builtin_shufflevector(ma.flight, mb.flight, 0, 1, 4, 5);
+    const bool found_a = settle(run, i, a), found_b = settle(run, j, b);
+    const Lanes flights = __builtin_shufflevector(a.first.flight, b.first.flight, 0, 1, 4, 5);
     alignas(32) long long epoch[lanes];
     alignas(32) double offset[lanes];
     LaneMask epochs;
@@ -279,27 +304,22 @@ class SwarmLoop {
     *reinterpret_cast<StoredMask*>(epoch) = epochs;
     *reinterpret_cast<Lanes*>(offset) = offsets;
     const bool in_range = sign_bits((flights < 0x1p50) | (flights == FirstMeetings::no_flight)) == 15;
-    if (in_range & settled(a)) {
-      keep(run, i, a, epoch, offset);
+    if (found_a & found_b & in_range) [[likely]] {
+      keep(run, i, a.first, epoch, offset);
+      keep(run, j, b.first, epoch + 2, offset + 2);
     } else {
-      look_closely(run, i, a);
-    }
-    if (in_range & settled(b)) {
-      keep(run, j, b, epoch + 2, offset + 2);
-    } else {
-      look_closely(run, j, b);
+      look_again(run, i);
+      look_again(run, j);
     }
   }
-  CAROM_INLINE static void keep(Run& run, std::uint32_t i, const Look& at, const long long* epoch, const double* offset) {
+  CAROM_INLINE static void keep(Run& run, std::uint32_t i, const FirstFew& few, const long long* epoch, const double* offset) {
     Slot& slot = run.shells.slots[i];
-    const Meetings4& m = at.meetings;
-    const std::uint32_t p = m.candidate(0), q = m.candidate(1);
     slot.first = {epoch[0], offset[0]};
-    slot.partner = p < most_near ? at.near[p] : nobody;
-    slot.partner_stamp = run.swarm.stamp[p < most_near ? slot.partner : i];
+    slot.partner = static_cast<std::uint32_t>(few.row[0]);
+    slot.partner_stamp = run.swarm.stamp[slot.partner == nobody ? i : slot.partner];
     slot.second = {epoch[1], offset[1]};
-    slot.second_partner = q < most_near ? at.near[q] : nobody;
-    slot.second_stamp = run.swarm.stamp[q < most_near ? slot.second_partner : i];
+    slot.second_partner = static_cast<std::uint32_t>(few.row[1]);
+    slot.second_stamp = run.swarm.stamp[slot.second_partner == nobody ? i : slot.second_partner];
   }
 
   /// Both meetings of ball i are found anew, from the moment of its last collision, run.now.
@@ -307,33 +327,13 @@ class SwarmLoop {
     Look at;
     look(run, i, hit, at);
     meet(run, i, at);
-    look_closely(run, i, at);
-  }
-
-  /// The same with what is not settled by plain arithmetic.
-  [[gnu::noinline, gnu::flatten]] static void look_closely(Run& run, std::uint32_t i, const Look& at) {
+    if (!settle(run, i, at)) return look_again(run, i);
     FirstMeetings found;
-    if (at.count == 0 && run.shells.slots[i].count != 0) return look_again(run, i);
-    bool again = false;  // pair by pair
-    Meetings4 m = at.meetings;
-    for (std::uint64_t left = at.terms.candidates;;) {
-      for (int k = 0; k < lanes; ++k) {
-        left &= left - 1;
-        if (!(m.flight[k] < found.flight[2])) continue;
-        const std::uint32_t j = at.near[m.candidate(k)];
-        if (m.certain(k)) {
-          found.offer(m.flight[k], j);
-        } else {
-          again |= !settle(run, i, j, found);
-        }
-      }
-      if (left == 0) break;
-      meet_four(at.terms, left, 2 * run.swarm.template kind<equal>(i).radius, m);
-    }
+    for (int k = 0; k < 3; ++k) found.offer(at.first.flight[k], static_cast<std::uint32_t>(at.first.row[k]));
     if constexpr (!periodic)
       for (std::size_t f = 0; f < run.swarm.rest.walls.faces.size(); ++f)
         found.offer(flight_to_face(run, i, f), Slot::wall + static_cast<std::uint32_t>(f));
-    if (again || undecided(found.flight[0], found.flight[1], found.flight[2])) return look_again(run, i);
+    if (undecided(found.flight[0], found.flight[1], found.flight[2])) return look_again(run, i);
     Slot& slot = run.shells.slots[i];
     const Time<double> since = run.swarm.flights[i].time();
     slot.first = after(since, found.flight[0]);
@@ -353,20 +353,18 @@ class SwarmLoop {
     return bits;
   }
 
-  /// The meeting with a candidate that plain arithmetic has not settled. False: it can be found only pair by pair.
-  CAROM_INLINE static bool settle(Run& run, std::uint32_t i, std::uint32_t j, FirstMeetings& found) {
+  /// The flight of ball i to its meeting with j in twice the precision. False: it can be found only pair by pair.
+  CAROM_INLINE static bool meet_closely(const Run& run, std::uint32_t i, std::uint32_t j, double& t) {
     if (run.swarm.flights[j].time() == run.swarm.flights[i].time()) return false;  // they may touch
     const double sigma = run.swarm.template kind<equal>(i).radius + run.swarm.template kind<equal>(j).radius;
-    double r[D], g[D], image[D], t;
+    double r[D], g[D], image[D];
     (void)pair_state<D, periodic>(run.swarm, i, j, run.clock, r, g, image);
     Vec<double, D> place, velocity;
     for (int m = 0; m < D; ++m) {
       place[m] = r[m];
       velocity[m] = g[m];
     }
-    if (!detail::meet_time_wide<D>(place, velocity, sigma, t)) return false;
-    found.offer(t, j);
-    return true;
+    return detail::meet_time_wide<D>(place, velocity, sigma, t);
   }
 
   /// The same whatever the stored times, pair by pair and in the total order of events.
@@ -508,115 +506,6 @@ class SwarmLoop {
     shells.update(
         i, n, [&](std::uint32_t k) { offer(run, i, found[k], meeting(run, i, found[k])); }, [&] { set_exits(run, i, i); });
     enqueue(run, i);
-  }
-
-  // --- the elastic impact ---
-
-  /// The impact of law/impact.hpp for e = 1 and finite masses: the same operations, those by powers of two left out.
-  [[gnu::noinline, gnu::flatten]] static void collide(Run& run, std::uint32_t i, std::uint32_t j, const Time<double>& t) {
-    using W = DoubleDouble;
-    Flight<D>&a = run.swarm.flights[i], &b = run.swarm.flights[j];
-    const Flight<D> before_a = a, before_b = b;
-    const double lag_a = elapsed(a.time(), t), lag_b = elapsed(b.time(), t);
-    double xa[D], xb[D], image[D] = {};
-    W r[D], gr, rr;
-    for (int k = 0; k < D; ++k) {
-      xa[k] = a.x[k] + a.v[k] * lag_a;
-      xb[k] = b.x[k] + b.v[k] * lag_b;
-      r[k] = two_diff(xb[k], xa[k]);
-      if constexpr (periodic) {
-        image[k] = nearest_integer((xa[k] - xb[k]) * run.swarm.per_edge[k]);
-        if (image[k] != 0) r[k] = r[k] + two_prod(image[k], run.swarm.edge[k]);
-      }
-      const W along = two_diff(a.v[k], b.v[k]) * r[k], square = r[k] * r[k];
-      gr = k == 0 ? along : gr + along;
-      rr = k == 0 ? square : rr + square;
-    }
-    const double sigma = run.swarm.template kind<equal>(i).radius + run.swarm.template kind<equal>(j).radius;
-    note_gap(run, rr, sigma);
-    if (narrow(gr) > 0) {
-      const double ma = run.swarm.template kind<equal>(i).mass, mb = run.swarm.template kind<equal>(j).mass;
-      if (equal || ma == mb) {  // 2 gr / rr, and half of it for each
-        const W q = gr / rr;
-        for (int k = 0; k < D; ++k) {
-          const W change = q * r[k];
-          a.v[k] = rounded_sum(a.v[k], -change);
-          b.v[k] = rounded_sum(b.v[k], change);
-        }
-      } else {
-        const W q = twice(gr) / rr, sa = W(mb) / (W(ma) + W(mb)), sb = W(ma) / (W(mb) + W(ma));
-        for (int k = 0; k < D; ++k) {
-          const W change = q * r[k];
-          a.v[k] = rounded_sum(a.v[k], -(sa * change));
-          b.v[k] = rounded_sum(b.v[k], sb * change);
-        }
-      }
-    }
-    int turns[D] = {};
-    write(run, i, xa, t, turns, -1);
-    write(run, j, xb, t, turns, 1);
-    Past&pa = run.swarm.past[i], &pb = run.swarm.past[j];
-    const bool hit_a = (pa.flags & Past::hit) != 0, hit_b = (pb.flags & Past::hit) != 0;
-    int image_ab[D], image_ba[D];
-    for (int k = 0; k < D; ++k) {
-      image_ab[k] = static_cast<int>(image[k]) + turns[k];
-      image_ba[k] = -image_ab[k];
-    }
-    remember(pa, run.swarm.past[j].number, run.swarm.stamp[j], packed_image<D>(image_ab));
-    remember(pb, run.swarm.past[i].number, run.swarm.stamp[i], packed_image<D>(image_ba));
-    ++run.counts.ball_ball;
-    for (int k = 0; k < D; ++k)
-      if (!(a.v[k] - a.v[k] == 0) || !(b.v[k] - b.v[k] == 0)) run.verdict = Halt::non_finite;
-    if (run.sink != nullptr) detail::report_collision(run, i, j, t, before_a, before_b, hit_a, hit_b, image);
-  }
-
-  CAROM_INLINE static DoubleDouble twice(const DoubleDouble& x) { return {2 * x.hi, 2 * x.lo}; }
-  /// narrow(W(v) + x): what the sum of two DoubleDouble comes to where one is a double, and only the nearest double is wanted.
-  CAROM_INLINE static double rounded_sum(double v, const DoubleDouble& x) {
-    const DoubleDouble s = two_sum(v, x.hi);
-    return s.hi + (s.lo + x.lo);
-  }
-
-  CAROM_INLINE static void remember(Past& past, std::uint32_t partner, std::uint32_t partner_stamp, std::uint8_t image) {
-    past.flags = Past::hit | Past::in_contact;
-    past.contact_image = image;
-    past.last_partner = partner;
-    past.last_feature = 0;
-    past.partner_stamp = partner_stamp;
-  }
-
-  /// The motion of ball i changes at t: its place is stored, wrapped. Adds side * (periods taken out) to `turns`.
-  CAROM_INLINE static void write(Run& run, std::uint32_t i, const double (&x)[D], const Time<double>& t, int (&turns)[D],
-                                 int side) {
-    Flight<D>& ball = run.swarm.flights[i];
-    Past& past = run.swarm.past[i];
-    for (int k = 0; k < D; ++k) {
-      double at = x[k];
-      if constexpr (periodic) {
-        const auto& space = run.swarm.rest.space;
-        const double share = (at - space.lower[k]) * run.swarm.per_edge[k];
-        if (!(share > 0x1p-50 && share < 1 - 0x1p-50)) {  // else the quotient's floor is 0 and nothing is to be done
-          const int n = detail::wrap_coordinate(space.lower[k], space.edge[k], at);
-          past.image[k] += n;
-          turns[k] += side * n;
-        }
-      }
-      ball.x[k] = at;
-    }
-    ball.epoch = t.epoch;
-    ball.offset = t.offset;
-    ++run.swarm.stamp[i];
-  }
-
-  /// The gap that was left, |r| - sigma, if it is the largest so far: (r.r - sigma^2) / (|r| + sigma), where |r| + sigma is
-  /// close to 2 sigma.
-  CAROM_INLINE static void note_gap(Run& run, const DoubleDouble& rr, double sigma) {
-    const double excess = narrow(rr - two_prod(sigma, sigma));
-    const double size = excess < 0 ? -excess : excess;
-    if (size < run.exactness.max_gap_error * sigma && size < run.exactness.max_gap_error_relative * sigma * sigma) return;
-    const double gap = size / (__builtin_sqrt(narrow(rr)) + sigma);
-    if (gap > run.exactness.max_gap_error) run.exactness.max_gap_error = gap;
-    if (gap > run.exactness.max_gap_error_relative * sigma) run.exactness.max_gap_error_relative = gap / sigma;
   }
 };
 

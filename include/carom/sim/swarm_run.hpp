@@ -76,6 +76,10 @@ struct SwarmRun {
 
   void (*sink)(void*, const Record<double, D>&) = nullptr;  ///< wants a record of each collision
   void* sink_data = nullptr;
+  struct {
+    Flight<D> first, second;
+    bool first_hit, second_hit;  ///< they had collided before
+  } before;                      ///< how the parties of the collision at hand came; where there is a sink
 
   double reach = 0;  ///< [length unit] centres of neighbours are closer, whatever the ball
 };
@@ -121,10 +125,10 @@ bool refill_calendar(SwarmRun<D>& run);
 template <int D>
 bool collide_carefully(SwarmRun<D>& run, std::uint32_t i, std::uint32_t partner, const Time<double>& t);
 
-/// Hands the sink a record of the elastic collision of i and j at t that has just been carried out.
+/// Hands the sink a record of the elastic collision of i and j (its image) at t that has just been carried out; run.before
+/// tells how they came.
 template <int D>
-void report_collision(SwarmRun<D>& run, std::uint32_t i, std::uint32_t j, const Time<double>& t, const Flight<D>& before_i,
-                      const Flight<D>& before_j, bool hit_i, bool hit_j, const double* image);
+void report_collision(SwarmRun<D>& run, std::uint32_t i, std::uint32_t j, const Time<double>& t, const double* image);
 
 }  // namespace detail
 }  // namespace carom

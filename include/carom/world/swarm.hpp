@@ -74,8 +74,9 @@ struct Swarm {
   std::vector<double> reach;       ///< by row; only where impacts dissipate (BallDetail::reach)
   std::vector<std::string> names;  ///< by ball number; empty if no ball has one
   World<double, D> rest;           ///< all of the world but its balls
-  double edge[D];                  ///< [length unit] of the space
-  double per_edge[D];              ///< 1 / edge
+  double lower[4] = {};            ///< [length unit] of the space; 0 beyond D
+  double edge[4] = {};             ///< [length unit] of the space
+  double per_edge[4] = {};         ///< 1 / edge
 
   [[nodiscard]] CAROM_INLINE std::uint32_t size() const { return static_cast<std::uint32_t>(flights.size()); }
   /// `equal`: all balls are of one kind, so that none is to be looked up.
