@@ -123,8 +123,8 @@ class Joints {
     return place_doubt<Real>(a.centre, a.from, a.to) / a.radius + 32 * unit_roundoff<Real>();
   }
   [[nodiscard]] static bool meets(const End& a, const End& b) {
-    const Vec<Real, 2> apart = *a.place - *b.place;
-    return a.velocity == b.velocity && length_of<Real>(apart) <= 8 * place_doubt<Real>(*a.place, *a.place, *b.place);
+    const Vec<Real, 2> between = *a.place - *b.place;
+    return a.velocity == b.velocity && length_of<Real>(between) <= 8 * place_doubt<Real>(*a.place, *a.place, *b.place);
   }
   void join(End& first, End& second) {
     // What is curved moves: a segment's direction is that of its ends.
