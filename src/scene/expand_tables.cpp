@@ -228,6 +228,14 @@ class Maker {
   TableParts parts_;
 };
 
+/// Straight ways between the disks that never end: always on a square lattice of disks apart, on a triangular one where the
+/// rows leave room, sqrt(3)/2 spacing > 2 radius.
+bool has_corridors(const TableSpec& t) {
+  if (t.lattice == TableLattice::square) return t.spacing.value > 2 * t.radius.value;
+  const Rational s = exact(t.spacing), r = exact(t.radius);
+  return 3 * s * s > 16 * r * r;
+}
+
 }  // namespace
 
 TableParts table_parts(const TableSpec& table, int dimension) { return Maker(table, dimension).make(); }
@@ -262,6 +270,7 @@ std::vector<std::string> tables_explained(const Scene& scene) {
     for (std::size_t k = 0; k < n; ++k) s += (k > 0 ? ", " : "") + parts.names[k];
     if (!parts.balls.empty()) s += fmt::format(": {} balls at rest in a row", parts.balls.size());
     if (parts.space) s += parts.space->kind == SpaceKind::periodic ? " in a periodic cell" : " in a box";
+    if (table.kind == TableKind::lorentz) s += has_corridors(table) ? ", infinite horizon" : ", finite horizon";
     sentences.push_back(std::move(s));
   }
   return sentences;

@@ -12,9 +12,8 @@ namespace carom {
 template <int D>
 bool swarm_fits(const World<double, D>& world) {
   if (world.law != LawKind::restitution || world.simultaneous != Simultaneous::sequential || world.accelerated()) return false;
-  if (world.space.kind == SpaceKind::open || !world.walls.planes.empty() || !world.walls.segments.empty() ||
-      !world.walls.spheres.empty())
-    return false;
+  const bool walls_of_its_own = world.walls.labels.size() > world.walls.faces.size();
+  if (world.space.kind == SpaceKind::open || walls_of_its_own) return false;
   if (!is_swarm(world)) return false;
   double largest = 0;
   for (const auto& ball : world.balls) largest = std::max(largest, ball.radius);

@@ -18,6 +18,7 @@
 #include "carom/world/gases.hpp"
 #include "choose_units.hpp"
 #include "curved_walls.hpp"
+#include "near_joints.hpp"
 #include "outline.hpp"
 #include "real_number.hpp"
 #include "roster.hpp"
@@ -96,6 +97,8 @@ class WorldBuilder {
     number_materials();
     fill_space();
     fill_walls();
+    if constexpr (D == 2)
+      for (Problem& p : near_joints(scene_, world_)) problems_.push_back(std::move(p));
     fill_balls();
     judge_places();
     fill_restitution();

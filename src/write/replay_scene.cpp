@@ -39,6 +39,8 @@ Json wall(const WallSpec& w) {
            {"radius", w.radius.value},
            {"from_angle", w.from_angle.value},
            {"to_angle", w.to_angle.value}};
+      if (!w.from.empty()) j["from"] = numbers(w.from);
+      if (!w.to.empty()) j["to"] = numbers(w.to);
       break;
     case WallKind::ellipse:
       j = {{"kind", "ellipse"},

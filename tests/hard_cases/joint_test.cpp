@@ -123,5 +123,20 @@ TEST(Joint, of_a_floor_holds_what_falls) {
       }
 }
 
+// Ends that nearly meet are a mistake that lets a point out: named with both walls and the gap. The same numbers, or a gap
+// that can be seen, are meant.
+TEST(Joint, that_nearly_meets_is_refused) {
+  for (const double gap : {0.0, 1e-16, 1e-9, 0.9e-6, 1.1e-6, 0.01}) {
+    Scene scene = open_space(2);
+    scene.walls = {segment({0.0, 0.0}, {1.0, 0.0}), segment({1.0, gap}, {1.0, 1.0})};
+    scene.balls = {ball({0.5, 0.5}, {0.0, 0.0}, 0.0)};
+    const std::vector<std::string> texts = refusals(scene);
+    ASSERT_EQ(texts.size(), gap > 0 && gap < 1e-6 ? 1u : 0u) << gap;
+    if (gap == 1e-9) {
+      EXPECT_NE(texts[0].find("wall 0 and wall 1 do not meet: their ends are 1e-09 apart"), std::string::npos) << texts[0];
+    }
+  }
+}
+
 }  // namespace
 }  // namespace carom

@@ -40,14 +40,6 @@ inline Result watched_run(const Scene& scene, const Watch& watch) {
   return result;
 }
 
-[[nodiscard]] inline WallSpec segment(Coordinates from, Coordinates to) {
-  WallSpec w;
-  w.kind = WallKind::segment;
-  w.from = std::move(from);
-  w.to = std::move(to);
-  return w;
-}
-
 [[nodiscard]] inline WallSpec polygon(std::vector<Coordinates> vertices) {
   WallSpec w;
   w.kind = WallKind::polygon;
