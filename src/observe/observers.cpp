@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "carom/scene/tables.hpp"
 #include "judgement.hpp"
 
 namespace carom {
@@ -140,7 +141,10 @@ class Observers::Plan {
   ObserveJudgement judgement_;
 };
 
-Observers::Observers(const Scene& scene, const Simulation& simulation)
+Observers::Observers(const Scene& as_written, const Simulation& simulation)
+    : Observers(simulation, has_tables_out(as_written) ? with_tables(as_written) : as_written) {}
+
+Observers::Observers(const Simulation& simulation, const Scene& scene)
     : flights_(asks(scene.observe) ? subject_of(scene, simulation) : Subject{}),
       after_events_(scene.observe.after_events),
       seen_(simulation.counts().collisions()) {
@@ -196,12 +200,22 @@ void Observers::measure(const Collision& c, const Time<double>& now) {
 
 void Observers::end(const Simulation& simulation) {
   if (!any()) return;
-  const Time<double> now = std::max(moment(simulation.time()), last_);
+  Time<double> now = std::max(moment(simulation.time()), last_);
   if (!began_ && !after_events_ && now > after_) begin(after_);
   if (!began_) return;
+  const std::vector<Departure> departures = simulation.departures();
+  for (const Departure& d : departures) left(d.ball, moment(d.time));
+  if (flights_.subject().free == 0 && !departures.empty()) now = std::max(moment(departures.back().time), last_);
   flights_.end(now, [this](const Flight& flight) { tell(flight); });
   const double t = elapsed(*began_, now) * flights_.subject().epoch_length;
   for (AnyObserver& any : observers_) std::visit([&](auto& o) { o.end(t); }, any);
+}
+
+void Observers::left(std::uint32_t ball, const Time<double>& when) {
+  flights_.leave(ball, when, [this](const Flight& flight) { tell(flight); });
+  const double t = std::max(0.0, elapsed(*began_, when) * flights_.subject().epoch_length);
+  for (AnyObserver& any : observers_)
+    if (auto* rate = std::get_if<CollisionRate>(&any)) rate->left(t);
 }
 
 Estimates Observers::estimates() const {

@@ -75,6 +75,27 @@ TEST(Observers, of_a_run_that_ends_before_the_start_have_no_value) {
   }
 }
 
+// A point at 1 goes to the wall at 0 and out through the opening at 4, by time 5: what comes after is not measured.
+TEST(Observers, end_with_a_ball_that_leaves) {
+  Scene scene = testing::open_space(2);
+  WallSpec gap;
+  gap.kind = WallKind::segment;
+  gap.from = {4, -10};
+  gap.to = {4, 10};
+  gap.opening = true;
+  scene.walls = {testing::plane({0, 0}, {1, 0}), gap};
+  scene.balls = {ball({1, 0}, {-1, 0}, 0)};
+  scene.run.until = 100.0;
+  scene.observe.collision_rate = scene.observe.mean_free_path = true;
+  Measured m = measure(scene);
+  EXPECT_DOUBLE_EQ(m["mean_free_path"], 5);
+  EXPECT_DOUBLE_EQ(m["collision_rate"], 1 / 5.0);
+  scene.balls.push_back(ball({2, 5}, {-1, 0}, 0));  // hits at 2, leaves at 6
+  m = measure(scene);
+  EXPECT_DOUBLE_EQ(m["mean_free_time"], 11 / 2.0);
+  EXPECT_DOUBLE_EQ(m["collision_rate"], 2 / 11.0);
+}
+
 // A start far from time 0, on another epoch, changes nothing.
 TEST(Observers, clock_starts_anywhere) {
   Scene scene = shuttle(1e9 + 100);

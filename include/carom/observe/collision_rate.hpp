@@ -1,6 +1,8 @@
 #pragma once
 // How often a ball collides.
 
+#include <vector>
+
 #include "carom/observe/block_sums.hpp"
 #include "carom/observe/observer.hpp"
 
@@ -22,8 +24,12 @@ class CollisionRate {
     sums_.add(t, {0, parties, wall ? parties : 0});
     if (subject.merging && !wall) --free_;
   }
+  /// At the end: a ball had left at t.
+  void left(double t) { departures_.push_back(t); }
   void end(double t) {
     pass(t);
+    for (const double when : departures_)
+      if (when < t) sums_.spread(when, t, {when - t, 0, 0});
     sums_.end(t);
   }
   [[nodiscard]] Estimates estimates() const {
@@ -40,6 +46,7 @@ class CollisionRate {
   BlockSums<3> sums_;  // time of all balls; their collisions; those with walls
   std::int64_t free_;
   double last_ = 0.0;
+  std::vector<double> departures_;
 };
 
 }  // namespace carom

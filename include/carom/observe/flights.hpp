@@ -39,6 +39,15 @@ class Flights {
       f(flight(c.partner.number, now, place(c.partner), true));
   }
 
+  /// The ball has left through an opening, which no collision tells: f(flight) for what was measured of its last one.
+  template <class F>
+  void leave(std::uint32_t ball, const Time<double>& when, F&& f) {
+    if (!subject_.moves_freely(ball)) return;
+    if (when > from_[ball]) f(flight(ball, when, course_at(ball, when).position, false));
+    subject_.mass[ball] = 0;
+    --subject_.free;
+  }
+
   /// Measuring ends: f(flight) for every ball that moves freely.
   template <class F>
   void end(const Time<double>& now, F&& f) const {

@@ -70,10 +70,13 @@ class Observers {
   /// What the scene asks for, and what has no meaning in it.
   class Plan;
 
+  Observers(const Simulation& simulation, const Scene& scene);  // with the parts of its tables
+
   [[nodiscard]] Time<double> moment(double t) const;
   void begin(const Time<double>& t);
   void measure(const Collision& c, const Time<double>& now);
   void tell(const Flight& flight);
+  void left(std::uint32_t ball, const Time<double>& when);
 
   Flights flights_;
   Outlets outlets_;
