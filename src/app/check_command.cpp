@@ -184,9 +184,11 @@ class Check {
   [[nodiscard]] std::string why_no_echo() const {
     if (scene_.collision.law != LawKind::restitution) return "the law joins balls for good";
     if (found_.summary.energy.dissipated != 0) return "impacts dissipate";
-    for (const WallSpec& w : scene_.walls)
+    for (const WallSpec& w : scene_.walls) {
+      if (w.oscillation) return "a wall swings";
       for (const Number& v : w.velocity)
         if (v != 0) return "a wall moves";
+    }
     if (found_.summary.stopped) return "the run stopped early";
     return "";
   }

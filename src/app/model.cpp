@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "carom/scene/exact_only.hpp"
 #include "carom/write/number_text.hpp"
 
 namespace carom::app {
@@ -82,7 +83,9 @@ std::vector<std::string> not_modelled(const Scene& scene) {
             "[Smith2012]; stiffness, which decides in nature, is not asked for"
           : "duration and deformation: an impact takes no time, and three bodies that touch at once are resolved pair by pair",
       "air, rolling and sliding resistance, attraction, charge"};
-  if (!accelerated(scene)) {
+  if (is_magnetic(scene)) {
+    list.push_back("forces other than the magnetic field's, and currents or charges that would make one");
+  } else if (!accelerated(scene)) {
     list.push_back("gravity: no force acts between impacts (give motion.acceleration for one)");
   } else {
     list.push_back("forces other than the uniform acceleration");
@@ -99,6 +102,14 @@ std::vector<std::string> limits(const Scene& scene) {
       "error",
       "chaos multiplies rounding errors at every impact: single trajectories part from the true ones after some tens of "
       "impacts of a ball, while conserved quantities and averages stay right"};
+  if (is_magnetic(scene))
+    list.push_back(
+        "magnetic field: places on a circle and contact times take sines and arc tangents of this machine's library; another "
+        "machine may differ in the last bit");
+  if (std::any_of(scene.walls.begin(), scene.walls.end(), [](const WallSpec& w) { return w.oscillation.has_value(); }))
+    list.push_back(
+        "walls that swing: a contact time is the first root by a rigorous bracket, and the walls' places take sines of this "
+        "machine's library; the same start at another time is another run, not the same bits shifted");
   if (!dissipates(scene) || scene.collision.law != LawKind::restitution) return list;
   if (scene.collision.regularise == Regularise::rest && accelerated(scene)) {
     list.push_back(
@@ -115,6 +126,9 @@ std::vector<std::string> limits(const Scene& scene) {
 std::vector<std::string> limits_of_steps(const Scene& scene, const std::vector<BallState>& start) {
   if (scene.collision.law != LawKind::restitution)
     return {"balls that stick or merge: the fixed-step mode has the law \"restitution\" alone, and compare needs it"};
+  std::vector<std::string> beyond;
+  for (const Problem& p : exact_only(scene)) beyond.push_back(p.what + ": " + p.why);
+  if (!beyond.empty()) return beyond;
   std::vector<std::string> list{
       "the order of collisions within a step (all methods but swept:substeps take them as they come), and what follows"};
   const CollisionSpec& law = scene.collision;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "carom/core/error.hpp"
+#include "carom/scene/exact_only.hpp"
 #include "carom/scene/validate.hpp"
 #include "start.hpp"
 #include "world/roster.hpp"
@@ -33,6 +34,9 @@ std::vector<Problem> outside_the_scope(const Scene& scene) {
   if (c.law != LawKind::restitution) refuse(c.where, "a law that joins balls", "Use law = \"restitution\"");
   if (c.contact_time != 0) refuse(c.where, "contact_time", "Leave it out");
   if (c.regularise != Regularise::stop) refuse(c.where, "regularise", "Leave it out");
+  if (is_magnetic(scene)) refuse(scene.motion.where, "motion.magnetic", "Leave it out");
+  for (const WallSpec& w : scene.walls)
+    if (w.oscillation) refuse(w.where, "wall.oscillation", "Leave it out");
   for (const WallSpec& w : scene.walls)
     if (scene.space.kind == SpaceKind::periodic || w.opening)
       refuse(w.where, w.opening ? "an opening" : "a wall in a periodic space", "Use a box, or fixed balls");

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "adapters.hpp"
+#include "carom/scene/exact_only.hpp"
 #include "limits.hpp"
 
 namespace carom {
@@ -109,6 +110,9 @@ std::vector<std::string> refuses(const Scene& scene, std::string_view name) {
 
 std::vector<std::string> cannot_represent(const Scene& scene, std::string_view name) {
   const std::size_t number = game_engine::engine_number(name);
+  std::vector<std::string> beyond;
+  for (const Problem& p : exact_only(scene)) beyond.push_back(fmt::format("{}: {}", p.what, p.why));
+  if (!beyond.empty()) return beyond;
   const game_engine::Layout layout = game_engine::make_layout(scene, game_engine::engine_facts(number).size);
   std::vector<std::string> all = game_engine::refusals(layout, number);
   if (!all.empty()) return all;
@@ -135,6 +139,8 @@ std::unique_ptr<Stepper> make_game_engine(const Scene& scene, const GameEngineOp
           "Leave out \"threshold\"");
   if (options.threshold && (!(*options.threshold >= 0) || std::isinf(*options.threshold)))
     wrong(fmt::format("a threshold of {}", *options.threshold), "it is a speed, at least 0", "");
+  for (Problem& p : exact_only(scene)) problems.push_back(std::move(p));
+  if (!problems.empty()) throw InputError(problems);
   game_engine::Layout layout;
   try {
     layout = game_engine::make_layout(scene, facts.size);

@@ -20,7 +20,7 @@ void round_all(Fields&... fields) {
 
 Scene rounded_to_double(Scene scene) {
   scene.rounded = true;
-  round_all(scene.space.lower, scene.space.upper, scene.space.restitution, scene.motion.acceleration,
+  round_all(scene.space.lower, scene.space.upper, scene.space.restitution, scene.motion.acceleration, scene.motion.magnetic,
             scene.collision.restitution, scene.collision.contact_time, scene.collision.reference_speed);
   for (MaterialSpec& m : scene.materials) round(m.restitution);
   for (MaterialPairSpec& m : scene.material_pairs) round(m.restitution);
@@ -30,6 +30,8 @@ Scene rounded_to_double(Scene scene) {
   for (GasSpec& g : scene.gases) round_all(g.packing_fraction, g.radius, g.mass, g.temperature);
   for (WallSpec& w : scene.walls)
     round_all(w.from, w.to, w.point, w.normal, w.centre, w.radius, w.velocity, w.restitution);
+  for (WallSpec& w : scene.walls)
+    if (w.oscillation) round_all(w.oscillation->amplitude, w.oscillation->omega, w.oscillation->phase);
   for (WallSpec& w : scene.walls)
     for (Coordinates& vertex : w.vertices) round(vertex);
   round_all(scene.run.start, scene.run.until, scene.run.sample_every);

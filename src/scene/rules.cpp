@@ -55,6 +55,12 @@ void judge_motion(Judgement& j) {
   if (rules.vector("acceleration", m.acceleration, Presence::optional) && !is_zero(m.acceleration)) {
     rules.unbuilt("motion.acceleration");
   }
+  if (!m.magnetic || !rules.finite("magnetic", *m.magnetic) || m.magnetic->value == 0) return;
+  if (is_dimension(j.scene.dimension) && j.scene.dimension != 2)
+    rules.found("magnetic", " needs dimension 2", "the field stands across the plane that balls circle in", "", {{"dimension"}});
+  if (!is_zero(m.acceleration))
+    rules.found("magnetic", " is not built together with motion.acceleration", "their paths are cycloids, not circles",
+                "Leave one of them out", {rules.key("acceleration")});
 }
 
 void judge_collision(Judgement& j) {

@@ -68,6 +68,7 @@ MotionSpec read_motion(TableReader t) {
   MotionSpec m;
   m.where = t.where();
   t.coordinates("acceleration", m.acceleration);
+  t.number("magnetic", m.magnetic);
   t.finish();
   return m;
 }
@@ -227,6 +228,16 @@ void read_shape(TableReader& t, WallSpec& w) {
   }
 }
 
+OscillationSpec read_oscillation(TableReader t) {
+  OscillationSpec o;
+  t.require("amplitude", "a wall swings along a vector", "Add amplitude = [0, 0.1]");
+  t.coordinates("amplitude", o.amplitude);
+  t.number("omega", o.omega);
+  t.number("phase", o.phase);
+  t.finish();
+  return o;
+}
+
 WallSpec read_wall(TableReader t) {
   WallSpec w;
   w.where = t.where();
@@ -239,6 +250,7 @@ WallSpec read_wall(TableReader t) {
   refuse_other_kinds(t, w.kind, wall_keys, wall_kinds);
   t.flag("opening", w.opening);
   t.coordinates("velocity", w.velocity);
+  if (std::optional<TableReader> swing = t.table("oscillation")) w.oscillation = read_oscillation(std::move(*swing));
   t.number("restitution", w.restitution);
   t.text("material", w.material);
   t.finish();

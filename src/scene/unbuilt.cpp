@@ -16,15 +16,11 @@ struct Unbuilt {
 
 // A line is deleted when its feature is there. The value of wall.velocity is the kind of the wall.
 constexpr std::array unbuilt{
-    Unbuilt{"motion.magnetic"},
     Unbuilt{"motion.cloth"},
     Unbuilt{"collision.law", "rough"},
     Unbuilt{"ball.spin"},
     Unbuilt{"ball.inertia"},
     Unbuilt{"gas.radius_growth"},
-    Unbuilt{"wall.oscillation"},
-    Unbuilt{"wall.velocity", "circle"},
-    Unbuilt{"wall.velocity", "polygon"},
 };
 
 }  // namespace

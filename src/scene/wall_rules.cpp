@@ -137,6 +137,34 @@ void judge_dimension(TableRules& rules, WallKind kind, int dimension) {
               "", {{"dimension"}});
 }
 
+/// Walls of straight lines and circles move and swing. A ball on a circle beside a wall that swings would have to be followed for
+/// ever: their motions together never repeat.
+void judge_motion(TableRules& rules, const WallSpec& w, const Scene& scene) {
+  const bool moves = rules.vector("velocity", w.velocity, Presence::optional) && !is_zero(w.velocity);
+  const std::string kind(word_for<WallKind>(wall_kinds, w.kind));
+  const bool simple = w.kind == WallKind::plane || w.kind == WallKind::segment || w.kind == WallKind::circle ||
+                      w.kind == WallKind::polygon;
+  const bool magnetic = scene.motion.magnetic && scene.motion.magnetic->value != 0;
+  if (magnetic && !simple && w.kind != WallKind::arc)
+    rules.found("kind", " is " + in_quotes(kind), "in a magnetic field it is not built", "", {{"motion", "magnetic"}});
+  if (magnetic && moves && w.kind == WallKind::arc)
+    rules.found("velocity", " moves an arc in a magnetic field", "that is not built", "Let it stand still", {{"motion", "magnetic"}});
+  if (!w.oscillation) return;
+  TableRules swing(rules.inner("oscillation"));
+  const bool swings = swing.vector("amplitude", w.oscillation->amplitude, Presence::required) && !is_zero(w.oscillation->amplitude);
+  swing.positive("omega", w.oscillation->omega, "a wall swings at a frequency above 0");
+  swing.finite("phase", w.oscillation->phase);
+  if (!swings) return;
+  if (!simple)
+    rules.found("oscillation", " of " + std::string(kind) + " is not built", "planes, segments, circles and polygons swing");
+  if (magnetic)
+    rules.found("oscillation", " swings a wall in a magnetic field",
+                "a ball that circles beside it may never meet it, and nothing repeats that would tell", "", {{"motion", "magnetic"}});
+  if (scene.collision.regularise == Regularise::rest)
+    rules.found("oscillation", " is not built together with regularise = \"rest\"", "no ball rests on a wall that swings",
+                "Use collision.contact_time", {{"collision", "regularise"}});
+}
+
 }  // namespace
 
 void judge_walls(Judgement& j) {
@@ -173,9 +201,7 @@ void judge_walls(Judgement& j) {
         judge_curve(rules, w);
         break;
     }
-    if (rules.vector("velocity", w.velocity, Presence::optional) && !is_zero(w.velocity)) {
-      rules.unbuilt("wall.velocity", kind);
-    }
+    judge_motion(rules, w, j.scene);
     if (w.restitution) rules.restitution(*w.restitution);
     rules.material(w.material);
     if (w.opening && (w.restitution || !w.material.empty()))

@@ -107,6 +107,8 @@ std::unique_ptr<Simulation::Engine> make_reference_engine(const Scene& scene) {
   World<double, D> world = build<double, D>(scene);
   if (world.accelerated() && world.regularise == Regularise::rest)
     return make_resting_reference<D>(scene, std::move(world));
+  if constexpr (D == 2)
+    if (world.magnetic != 0) return make_magnetic_reference(scene, std::move(world));
   if (world.accelerated()) {
     const UniformAcceleration<double, D> motion{world.acceleration};
     return detail::make_reference(scene, std::move(world), motion);
@@ -127,6 +129,11 @@ std::unique_ptr<Simulation::Engine> make_engine(const Scene& scene) {
     const UniformAcceleration<double, D> motion{world.acceleration};
     return detail::choose_search(scene, std::move(world), motion, std::move(composition));
   }
+  if constexpr (D == 2)
+    if (world.magnetic != 0) {
+      composition.reasons.push_back("magnetic field: every ball that is not fixed flies circles of one frequency");
+      return make_magnetic_engine(scene, std::move(world), std::move(composition));
+    }
   composition.reasons.push_back("free flight: no acceleration, so paths are straight lines");
   if (world.regularise == Regularise::rest)
     composition.reasons.push_back("nothing comes to rest: no acceleration presses balls on a wall");

@@ -6,6 +6,7 @@
 #include "carom/core/error.hpp"
 #include "carom/core/multi.hpp"
 #include "carom/motion/free_flight.hpp"
+#include "carom/motion/magnetic_arc.hpp"
 #include "carom/motion/uniform_acceleration.hpp"
 #include "carom/queue/heap_queue.hpp"
 #include "carom/search/cell_grid.hpp"
@@ -27,7 +28,8 @@ std::unique_ptr<Simulation::Engine> make_precise(const Scene& scene, World<typen
   const std::size_t n = world.balls.size();
   const bool few = scene.engine.search == SearchKind::all_pairs || (scene.engine.search == SearchKind::automatic && n <= few_balls);
   Composition composition{M::name, few ? "all pairs" : Search::name, Queue::name, {}};
-  composition.reasons.push_back(M::accelerated ? "uniform acceleration: every ball that is not fixed flies a parabola"
+  composition.reasons.push_back(M::circular      ? "magnetic field: every ball that is not fixed flies circles of one frequency"
+                                : M::accelerated ? "uniform acceleration: every ball that is not fixed flies a parabola"
                                                : "free flight: no acceleration, so paths are straight lines");
   composition.reasons.push_back(fmt::format("{} and a heap: {} balls in a precision other than double", composition.search, n));
   return std::make_unique<ComposedEngine<WorldIntegrator<M, Search, Queue>>>(scene, std::move(world), motion, std::move(composition),
@@ -46,6 +48,8 @@ std::unique_ptr<Simulation::Engine> make_in(const Scene& scene, const Precision&
     const UniformAcceleration<Real, D> motion{world.acceleration};
     return make_precise(scene, std::move(world), motion, precision);
   }
+  if constexpr (D == 2)
+    if (world.magnetic != 0) return make_precise(scene, std::move(world), MagneticArc<Real>{world.magnetic}, precision);
   return make_precise(scene, std::move(world), FreeFlight<Real, D>{}, precision);
 }
 

@@ -80,7 +80,7 @@ class ComposedEngine final : public Simulation::Engine {
         motion_(motion),
         reached_(world.start),
         start_(totals_at(motion, world, world.start)),
-        conserved_momentum_(world.walls.empty() && !world.accelerated()),
+        conserved_momentum_(world.walls.empty() && !world.curved()),
         scene_print_(print_of_scene(world)) {
     for (const auto& d : world.details) conserved_momentum_ = conserved_momentum_ && !detail::infinite(d.mass);
     integrator_.emplace(std::move(world), motion, std::move(setup));
@@ -110,6 +110,7 @@ class ComposedEngine final : public Simulation::Engine {
   void reverse() override {
     const Scope scope(precision_.digits);
     integrator_->reverse(reached_);
+    if constexpr (M::circular) motion_.reverse();
   }
 
   [[nodiscard]] Number time() const override {
@@ -299,6 +300,7 @@ class ComposedEngine final : public Simulation::Engine {
     archive(world.regularise);
     archive(world.contact_time);
     archive(world.reference_speed);
+    archive(world.magnetic);
     archive(world.space.kind);
     for (int k = 0; k < D; ++k) {
       archive(world.space.lower[k]);
@@ -318,6 +320,11 @@ class ComposedEngine final : public Simulation::Engine {
       }
       if constexpr (requires { shape.velocity; })
         for (int k = 0; k < D; ++k) archive(shape.velocity[k]);
+      if (const Swing<Real, D>* swing = swing_of(world.walls, shape)) {
+        for (int k = 0; k < D; ++k) archive(swing->amplitude[k]);
+        archive(swing->omega);
+        archive(swing->phase);
+      }
     });
     return fingerprint(archive.out.bytes());
   }

@@ -86,6 +86,11 @@ template <int D>
 template <int D>
 [[nodiscard]] std::unique_ptr<Simulation::Engine> make_resting_reference(const Scene& scene, World<double, D> world);
 
+/// The same two for scenes in a magnetic field.
+[[nodiscard]] std::unique_ptr<Simulation::Engine> make_magnetic_engine(const Scene& scene, World<double, 2> world,
+                                                                       Composition composition);
+[[nodiscard]] std::unique_ptr<Simulation::Engine> make_magnetic_reference(const Scene& scene, World<double, 2> world);
+
 extern template bool swarm_fits(const World<double, 2>&);
 extern template bool swarm_fits(const World<double, 3>&);
 extern template std::unique_ptr<Simulation::Engine> make_swarm_engine(const Scene&, World<double, 2>, Composition);

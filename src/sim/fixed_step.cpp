@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "carom/core/error.hpp"
+#include "carom/scene/exact_only.hpp"
 #include "carom/sim/fixed_step/discrete.hpp"
 #include "carom/sim/fixed_step/penalty.hpp"
 #include "carom/sim/fixed_step/speculative.hpp"
@@ -101,6 +102,7 @@ std::unique_ptr<Stepper> make(const Scene& scene, const FixedStepOptions& option
 
 std::vector<Problem> judge(const Scene& scene, const FixedStepOptions& options) {
   std::vector<Problem> problems = judge_step_method(options.method);
+  for (Problem& p : exact_only(scene)) problems.push_back(std::move(p));
   if (!(options.dt > 0) || !std::isfinite(options.dt))
     problems.push_back({"", 0, fmt::format("dt = {}", options.dt), "a time step is > 0 and finite", ""});
   const PenaltyOptions* penalty = std::get_if<PenaltyOptions>(&options.method);

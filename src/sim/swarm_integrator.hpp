@@ -66,6 +66,7 @@ class SwarmView {
         law(whole.law),
         swarm_(swarm),
         whole_(whole) {}
+  static constexpr int dimension = D;
   SwarmView(const SwarmView&) = delete;
   SwarmView& operator=(const SwarmView&) = delete;
 
@@ -80,6 +81,7 @@ class SwarmView {
   const LawKind law;
 
   [[nodiscard]] bool accelerated() const { return false; }
+  [[nodiscard]] bool curved() const { return false; }
 
  private:
   [[nodiscard]] std::size_t size() const { return swarm_ != nullptr ? swarm_->size() : whole_.balls.size(); }

@@ -137,6 +137,7 @@ class WorldBuilder {
   void fill_motion() {
     for (int k = 0; k < D && !scene_.motion.acceleration.empty(); ++k)
       world_.acceleration[k] = real_number<Real>(scene_.motion.acceleration[k], -world_.units.acceleration());
+    if (scene_.motion.magnetic) world_.magnetic = real_number<Real>(*scene_.motion.magnetic, world_.units.time);
   }
 
   void judge_rest() {
@@ -213,19 +214,37 @@ class WorldBuilder {
                     "Set side = \"outside\", or leave out [space]");
     if (std::any_of(spec.velocity.begin(), spec.velocity.end(), [](const Number& v) { return v.value != 0; }))
       return refuse("a wall that moves in a periodic space", "it would leave its cell", "Let it stand still, or use a box");
+    if (spec.oscillation)
+      return refuse("a wall that swings in a periodic space", "it would leave its cell", "Let it stand still, or use a box");
     if (world_.law != LawKind::restitution || world_.regularise == Regularise::rest)
       return refuse("a wall in a periodic space where balls stick, merge or come to rest", "not built yet",
                     "Use law = \"restitution\" without rest, or a box");
     return true;
   }
 
+  /// The row of the swing of a wall, or -1.
+  std::int32_t swing_of_wall(const WallSpec& spec) {
+    if (!spec.oscillation || is_still(spec.oscillation->amplitude)) return -1;
+    Swing<Real, D> swing;
+    swing.amplitude = point(spec.oscillation->amplitude);
+    swing.omega = real_number<Real>(spec.oscillation->omega, world_.units.time);
+    swing.phase = real_number<Real>(spec.oscillation->phase, 0);
+    world_.walls.swings.push_back(swing);
+    return static_cast<std::int32_t>(world_.walls.swings.size()) - 1;
+  }
+  [[nodiscard]] static bool is_still(const Coordinates& v) {
+    return std::all_of(v.begin(), v.end(), [](const Number& c) { return c.value == 0; });
+  }
+
   void add_wall(const WallSpec& spec, WallId id) {
     using std::sqrt;
+    const std::int32_t swing = swing_of_wall(spec);
     if (spec.kind == WallKind::plane) {
       Plane<Real, D> plane;
       plane.wall = id;
       plane.point = point(spec.point);
       plane.velocity = velocity(spec.velocity);
+      plane.swing = swing;
       Vector n;
       for (int k = 0; k < D; ++k) n[k] = real_number<Real>(spec.normal[k], 0);
       // Scaled by a power of two first: any normal that is not zero will do.
@@ -243,6 +262,7 @@ class WorldBuilder {
       sphere.wall = id;
       sphere.centre = point(spec.centre);
       sphere.velocity = velocity(spec.velocity);
+      sphere.swing = swing;
       sphere.radius = length(spec.radius);
       sphere.inside = spec.side == WallSide::inside;
       world_.walls.spheres.push_back(sphere);
@@ -256,6 +276,8 @@ class WorldBuilder {
         world_.walls.segments.push_back(segment(spec, id, static_cast<std::int32_t>(e), corners[e], corners[(e + 1) % n]));
       for (std::size_t c = 0; c < n; ++c)
         world_.walls.spheres.push_back(vertex(spec, id, static_cast<std::int32_t>(edges + c), point(corners[c])));
+      for (std::size_t e = 0; e < edges; ++e) world_.walls.segments[world_.walls.segments.size() - 1 - e].swing = swing;
+      for (std::size_t c = 0; c < n; ++c) world_.walls.spheres[world_.walls.spheres.size() - 1 - c].swing = swing;
     }
   }
 

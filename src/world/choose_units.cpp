@@ -60,6 +60,10 @@ void read_walls(const Scene& scene, Scales& s) {
     if (w.kind == WallKind::polygon)
       for (std::size_t i = 0; i < w.vertices.size(); ++i) side(w.vertices[i], w.vertices[(i + 1) % w.vertices.size()]);
     s.largest_speed = std::max(s.largest_speed, length_of(w.velocity));
+    if (!w.oscillation) continue;
+    const Wider swing = length_of(w.oscillation->amplitude);
+    s.length(swing);
+    s.largest_speed = std::max(s.largest_speed, length_of(w.velocity) + swing * Wider(w.oscillation->omega.value));
   }
 }
 
@@ -172,6 +176,7 @@ Units choose_units(const Scene& scene, const Roster& roster, std::vector<Problem
   Wider speed = std::max(s.largest_speed, std::min(std::sqrt(s.energy / s.lightest), most_gain * s.fastest));
   const Wider g = length_of(scene.motion.acceleration);
   speed = std::max(speed, std::sqrt(g * s.largest_length));
+  if (scene.motion.magnetic) speed = std::max(speed, std::fabs(Wider(scene.motion.magnetic->value)) * s.smallest_length);
   Units units;
   units.length = std::ilogb(s.smallest_length);
   units.mass = std::ilogb(s.lightest);

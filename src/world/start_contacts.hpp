@@ -15,6 +15,7 @@
 #include "carom/world/near_pairs.hpp"
 #include "carom/world/state.hpp"
 #include "carom/world/wall_images.hpp"
+#include "carom/world/wall_motion.hpp"
 #include "carom/world/world.hpp"
 
 namespace carom::detail {
@@ -75,6 +76,7 @@ class StartContacts {
       world_.walls.for_each([&](const auto& shape) {
         if (world_.walls.opens(index(shape.wall))) return;
         image_ = Image<D>{};
+        if (swing_of(world_.walls, shape) != nullptr) return judge_swinging(i, shape);
         if (!world_.space.periodic()) return judge_wall(i, shape);
         const Real near = world_.balls[i].radius * Real(1.001) + far_enough(shape);
         for_each_image(world_.space, shape, world_.balls[i].position, near, [&](const Image<D>& n) {
@@ -165,6 +167,28 @@ class StartContacts {
     for (int k = 0; k < D; ++k)
       d += abs(direction[k]) * (half_ulp(world_.balls[i].position[k], bits_[i]) + half_ulp(reference[k], scene_bits_));
     return d;
+  }
+
+  /// A wall that swings, where it is at the start: its displacement is a rounded sine.
+  template <class Shape>
+  void judge_swinging(std::uint32_t i, const Shape& shape) {
+    using std::abs;
+    const Ball<Real, D>& b = world_.balls[i];
+    const Vec<Real, D> displacement = drift(world_, shape, world_.start), x = b.position - displacement;
+    Real size = b.radius + abs(shape.gap(x));
+    for (int k = 0; k < D; ++k) size += abs(b.position[k]) + abs(displacement[k]);
+    const Real doubt = 16 * unit_roundoff<Real>() * size;
+    std::int8_t side = 0;
+    if constexpr (std::is_same_v<Shape, Segment<Real>>) {
+      if (dot<Real, D>(shape.along, x - shape.from) < 0 || dot<Real, D>(shape.along, x - shape.to) > 0) return;
+      int sign = sign_within(shape.height(x), doubt, bits_[i]);
+      if (sign == 0)
+        sign = dot<Real, D>(shape.direction, b.velocity - wall_velocity(world_, shape, world_.start)) < 0 ? -1 : 1;
+      side = static_cast<std::int8_t>(sign);
+    }
+    if constexpr (std::is_same_v<Shape, Sphere<Real, D>>)
+      if (shape.radius + b.radius == 0) return;
+    settle(i, shape, Real(shape.gap(x) - b.radius), doubt, side);
   }
 
   void judge_wall(std::uint32_t i, const Face<Real, D>& face) {

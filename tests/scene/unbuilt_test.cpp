@@ -34,7 +34,7 @@ const std::vector<Asking> asking = {
     {"wall.kind", "ellipse", "[[wall]]\nkind = \"ellipse\""},
     {"wall.kind", "segment", "[[wall]]\nfrom = [0, 0]\nto = [1, 1]\nkind = \"segment\""},
     {"wall.kind", "polygon", "[[wall]]\nvertices = [[0, 0], [1, 0], [0, 1]]\nkind = \"polygon\""},
-    {"wall.oscillation", "", "[[wall]]\nkind = \"plane\"\npoint = [0, 0]\nnormal = [0, 1]\noscillation = { omega = 1 }"},
+    {"wall.oscillation", "", "[[wall]]\nkind = \"plane\"\npoint = [0, 0]\nnormal = [0, 1]\noscillation = { amplitude = [0, 1] }"},
     {"wall.velocity", "plane", "[[wall]]\nkind = \"plane\"\npoint = [0, 0]\nnormal = [0, 1]\nvelocity = [0, 1]"},
     {"wall.velocity", "circle", "[[wall]]\nkind = \"circle\"\ncentre = [0, 0]\nradius = 1\nvelocity = [0, 1]"},
     {"wall.velocity", "segment", "[[wall]]\nkind = \"segment\"\nfrom = [0, 0]\nto = [1, 0]\nvelocity = [0, 1]"},

@@ -22,6 +22,7 @@ const std::string ball = "[[ball]]\nposition = [1, 1]\n";
 const std::string run = "run.until = 1\n";                                            // one line
 const std::string ok = run + ball;                                                    // three lines
 const std::string box = "[space]\nkind = \"box\"\nlower = [0, 0]\nupper = [9, 9]\n";  // four lines
+const std::string flat_wall = "[[wall]]\nkind = \"plane\"\npoint = [0, 0]\nnormal = [0, 1]\n";  // four lines
 const std::string ivory = "[material.ivory]\nrestitution = 0.9\n";                    // two lines
 
 const std::vector<WrongScene> wrong_scenes = {
@@ -49,6 +50,30 @@ const std::vector<WrongScene> wrong_scenes = {
      ok + box + "[[lattice]]\nkind = \"square\"\ncount = 4\nradius = 0.1\nrows = 3\n",
      12,
      {"lattice.0.rows", "\"rack\""}},
+
+    // Fields and walls that move
+    {"magnetic_in_space",
+     "dimension = 3\n" + run + "[[ball]]\nposition = [1, 1, 1]\n[motion]\nmagnetic = 1\n",
+     6,
+     {"motion.magnetic needs dimension 2"}},
+    {"magnetic_and_gravity",
+     ok + "[motion]\nacceleration = [0, -1]\nmagnetic = 1\n",
+     6,
+     {"motion.magnetic", "motion.acceleration", "cycloids"}},
+    {"wall_that_swings_in_a_field",
+     ok + "[motion]\nmagnetic = 1\n" + flat_wall + "oscillation = { amplitude = [0, 1] }\n",
+     10,
+     {"wall.0.oscillation", "magnetic field"}},
+    {"swing_without_amplitude", ok + flat_wall + "oscillation = { omega = 1 }\n", 8, {"amplitude is missing"}},
+    {"swing_that_stands", ok + flat_wall + "oscillation = { amplitude = [0, 1], omega = 0 }\n", 8, {"omega is 0"}},
+    {"swing_in_space",
+     ok + flat_wall + "oscillation = { amplitude = [0, 1, 0] }\n",
+     8,
+     {"amplitude has 3 components"}},
+    {"rest_on_a_swing",
+     ok + "[collision]\nregularise = \"rest\"\n" + flat_wall + "oscillation = { amplitude = [0, 1] }\n",
+     10,
+     {"wall.0.oscillation", "rest"}},
 
     // Regularisation
     {"viscoelastic_without_speed",

@@ -12,6 +12,7 @@ struct FreeFlight {
   static constexpr int dimension = Dimension;
   static constexpr bool accelerated = false;
   static constexpr bool can_rest = false;
+  static constexpr bool circular = false;
   static constexpr const char* name = "free flight";
   using Vector = Vec<Real, Dimension>;
   using Phase = bool;  ///< fixed: never moves

@@ -14,6 +14,7 @@ struct Resting {
   static constexpr int dimension = Dimension;
   static constexpr bool accelerated = true;
   static constexpr bool can_rest = true;
+  static constexpr bool circular = false;
   static constexpr const char* name = "uniform acceleration with rest";
   using Vector = Vec<Real, Dimension>;
 

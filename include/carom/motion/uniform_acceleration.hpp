@@ -12,6 +12,7 @@ struct UniformAcceleration {
   static constexpr int dimension = Dimension;
   static constexpr bool accelerated = true;
   static constexpr bool can_rest = false;
+  static constexpr bool circular = false;
   static constexpr const char* name = "uniform acceleration";
   using Vector = Vec<Real, Dimension>;
   using Phase = bool;  ///< fixed: never moves

@@ -2,6 +2,7 @@
 // When two balls meet: a pure function of their stored states and an image, the same whichever ball asks.
 
 #include "carom/motion/motion.hpp"
+#include "carom/predict/arc_fall.hpp"
 #include "carom/predict/contact.hpp"
 #include "carom/predict/event.hpp"
 #include "carom/solve/accelerated.hpp"
@@ -103,6 +104,11 @@ template <Motion M>
     if (touch != Touch::none) return {touch == Touch::live && rate < 0 ? Real(0) : never<Real>(), since};
     if (world.law == LawKind::merge && gap < 0) return {Real(0), since};
     return {gap_time<Real>(gap, rate), since};
+  } else if constexpr (M::circular) {
+    const Touch touch = may_touch ? touch_of_pair(world, i, j, image) : Touch::none;
+    if (sigma == 0) return {never<Real>(), since};
+    if (touch == Touch::none && overlap_merges<Real, D>(world, r, sigma)) return {Real(0), since};
+    return {fall_on_arc(motion.circle_gap(r, v, sigma), touch), since};
   } else {
     if (M::accelerated && motion.phase(a) != motion.phase(b)) {
       if (sigma == 0) return {never<Real>(), since};

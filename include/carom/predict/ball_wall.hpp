@@ -2,23 +2,20 @@
 // When a ball meets a wall: a function of the ball's stored state and the shape.
 
 #include "carom/motion/motion.hpp"
+#include "carom/predict/arc_wall.hpp"
 #include "carom/predict/ball_arc.hpp"
 #include "carom/predict/ball_curve.hpp"
 #include "carom/predict/contact.hpp"
 #include "carom/predict/event.hpp"
 #include "carom/predict/leaving.hpp"
+#include "carom/predict/swinging_wall.hpp"
 #include "carom/solve/accelerated.hpp"
 #include "carom/solve/quadratic.hpp"
 #include "carom/world/wall_images.hpp"
+#include "carom/world/wall_motion.hpp"
 #include "carom/world/world.hpp"
 
 namespace carom {
-
-/// Where a shape that moves with a constant velocity is at time t, relative to where it was at the world's start.
-template <class Real, int D, class Shape>
-[[nodiscard]] inline Vec<Real, D> drift(const World<Real, D>& world, const Shape& shape, const Time<Real>& t) {
-  return shape.velocity * elapsed(world.start, t);
-}
 
 /// Flight time to the moment at which gap + rate s + half_acceleration s^2 falls through 0, by the overlap rule; touching:
 /// gap is 0 by state.
@@ -191,6 +188,30 @@ template <Motion M, class Shape>
   }
 }
 
+/// When a ball meets one piece of a wall, at rest or in motion, and from which side where it has two.
+template <Motion M, class Shape>
+[[nodiscard]] inline SidedFlight<typename M::Real> flight_to(const M& motion,
+                                                             const World<typename M::Real, M::dimension>& world,
+                                                             const Ball<typename M::Real, M::dimension>& ball,
+                                                             const Shape& shape, const Contact<M::dimension>* contact) {
+  using Real = typename M::Real;
+  if constexpr (M::circular) {
+    if (moves(world.walls, shape))
+      return flight_to_swinging(motion, world, ball, shape, swing_or_none(world.walls, shape), contact);
+    return flight_on_arc(motion, ball, shape, contact);
+  } else {
+    if (const Swing<Real, M::dimension>* swing = swing_of(world.walls, shape))
+      return flight_to_swinging(motion, world, ball, shape, *swing, contact);
+    if constexpr (std::is_same_v<Shape, Segment<Real>>) {
+      return flight_to_segment(motion, world, ball, shape, contact);
+    } else if constexpr (is_curved<Shape>) {
+      return flight_to_curved(motion, world, ball, shape, contact);
+    } else {
+      return {flight_to_wall(motion, world, ball, shape, touch_of_wall(contact, ball)), 0};
+    }
+  }
+}
+
 /// The moment at which the centre of ball i comes to an opening: it leaves.
 template <Motion M, class Shape>
 [[nodiscard]] inline Event<typename M::Real, M::dimension> predict_exit(const M& motion,
@@ -202,14 +223,7 @@ template <Motion M, class Shape>
   Ball<Real, M::dimension> centre = world.balls[i];
   centre.radius = Real(0);
   const auto* contact = wall_contact(world, i, index(placed.wall), placed.feature, image);
-  Real flight;
-  if constexpr (std::is_same_v<Shape, Segment<Real>>) {
-    flight = flight_to_segment(motion, world, centre, placed, contact).flight;
-  } else if constexpr (is_curved<Shape>) {
-    flight = flight_to_curved(motion, world, centre, placed, contact).flight;
-  } else {
-    flight = flight_to_wall(motion, world, centre, placed, touch_of_wall(contact, centre));
-  }
+  const Real flight = flight_to(motion, world, centre, placed, contact).flight;
   if (flight == never<Real>()) return event;
   event.time = after(centre.time, flight);
   if (event.time.is_never()) return event;
@@ -241,18 +255,8 @@ template <Motion M, class Shape>
   const Contact<D>* contact = wall_contact(world, i, index(shape.wall), shape.feature, image);
   if constexpr (M::can_rest)
     if (contact != nullptr && contact->left) return event;
-  Real flight;
-  if constexpr (std::is_same_v<Shape, Segment<Real>>) {
-    const SidedFlight<Real> sided = flight_to_segment(motion, world, ball, placed, contact);
-    flight = sided.flight;
-    event.side = sided.side;
-  } else if constexpr (is_curved<Shape>) {
-    const SidedFlight<Real> sided = flight_to_curved(motion, world, ball, placed, contact);
-    flight = sided.flight;
-    event.side = sided.side;
-  } else {
-    flight = flight_to_wall(motion, world, ball, placed, touch_of_wall(contact, ball));
-  }
+  const auto [flight, side] = flight_to(motion, world, ball, placed, contact);
+  event.side = side;
   if (flight == never<Real>()) return event;
   event.time = after(ball.time, flight);
   if (event.time.is_never()) return event;

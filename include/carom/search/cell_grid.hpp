@@ -84,7 +84,7 @@ class CellGrid {
     if (ball.fixed || !ball.alive) return first;
     Time<Real> since = ball.time;
     Vec<Real, D> x = ball.position, v = ball.velocity, a = Vec<Real, D>::Zero();
-    if constexpr (M::accelerated) {
+    if constexpr (M::accelerated || M::circular) {
       since = now;
       x = position_at(motion, world, i, now);
       v = velocity_at(motion, world, i, now);
@@ -96,8 +96,11 @@ class CellGrid {
         const Real boundary = lower_[k] + Real(tiles_[i][k] + up) * edge_[k];
         const Real gap = up != 0 ? boundary - x[k] : x[k] - boundary;
         const Real rate = up != 0 ? -v[k] : v[k];
-        const Real flight =
-            M::accelerated ? first_fall(gap, rate, Real((up != 0 ? -a[k] : a[k]) / 2)) : gap_time(gap, rate);
+        Real flight;
+        if constexpr (M::circular)
+          flight = first_fall(motion.line_gap(gap, rate, up != 0 ? Real(-motion.turned(v)[k]) : motion.turned(v)[k]));
+        else
+          flight = M::accelerated ? first_fall(gap, rate, Real((up != 0 ? -a[k] : a[k]) / 2)) : gap_time(gap, rate);
         if (flight == never<Real>()) continue;
         EventType e;
         e.time = after(since, flight);

@@ -16,6 +16,7 @@ struct Plane {
   Vec<Real, D> point;      ///< [length unit] at the world's start
   Vec<Real, D> direction;  ///< unit normal
   Vec<Real, D> velocity;   ///< [length unit / L]
+  std::int32_t swing = -1;  ///< row of Walls::swings; -1: none
 
   [[nodiscard]] Real gap(const Vec<Real, D>& x) const { return dot<Real, D>(direction, x - point); }
   [[nodiscard]] Vec<Real, D> normal(const Vec<Real, D>&) const { return direction; }

@@ -16,6 +16,7 @@ struct Segment {
   Vec<Real, 2> along;      ///< unit vector from -> to
   Vec<Real, 2> direction;  ///< unit normal, to the left of `along`
   Vec<Real, 2> velocity;   ///< [length unit / L]
+  std::int32_t swing = -1;  ///< row of Walls::swings; -1: none
   bool smooth_from = false, smooth_to = false;  ///< the next piece goes on there without a corner
 
   /// Distance to the left of the line through the segment.

@@ -15,6 +15,7 @@ struct Sphere {
   std::int32_t feature = 0;
   Vec<Real, D> centre;    ///< [length unit] at the world's start
   Vec<Real, D> velocity;  ///< [length unit / L]
+  std::int32_t swing = -1;  ///< row of Walls::swings; -1: none
   Real radius = Real(0);  ///< [length unit]
   bool inside = true;     ///< the balls are inside (a concave wall)
   bool smooth = false;    ///< radius 0: a joint without a corner, which points do not meet

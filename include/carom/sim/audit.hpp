@@ -8,6 +8,7 @@
 #include "carom/world/near_pairs.hpp"
 #include "carom/world/state.hpp"
 #include "carom/world/wall_images.hpp"
+#include "carom/world/wall_motion.hpp"
 
 namespace carom {
 
@@ -45,7 +46,7 @@ template <Motion M, class WorldLike>
     const Vec<Real, D> v = world.balls[i].alive ? velocity_at(motion, world, i, t) : world.balls[i].velocity;
     for (int k = 0; k < D; ++k) {
       size = std::max<Real>(size, abs(v[k]));
-      if (world.balls[i].alive && world.accelerated())
+      if (world.balls[i].alive && world.curved())
         size = std::max<Real>(size, abs(world.balls[i].velocity[k]) * elapsed(world.balls[i].time, t));
       const Real there = abs(x[k]), stored = abs(world.balls[i].position[k]);
       size = std::max<Real>(size, std::max<Real>(there, stored));
@@ -96,7 +97,7 @@ template <Motion M, class WorldLike>
         });
         return;
       }
-      if constexpr (requires { shape.velocity; }) x -= shape.velocity * elapsed(world.start, t);
+      x -= drift(world, shape, t);
       const Real depth = world.balls[i].radius - shape.gap(x);
       note(depth, ulps * (2 * reach[i] + abs(shape.gap(x))), world.balls[i].radius, i, index(shape.wall), true);
     });

@@ -161,7 +161,7 @@ class Collider {
     Real gap(0);
     Support support = Support::curve;
     with_wall(world, event.partner, event.feature, event.image, [&](const auto& shape, const auto& placed) {
-      impact.vb = wall_velocity(shape);
+      impact.vb = wall_velocity(world, shape, now);
       const Vector at = x - wall_drift(world, shape, now);
       const WallTouch<Real, D> place = touch_at<Real, D>(placed, at, world.balls[i].radius, event.side);
       Vector n = place.normal;

@@ -88,7 +88,7 @@ class EventDriven {
     predict_all();
   }
 
-  /// Turns every velocity round at the moment t, not before the last collision.
+  /// Turns every velocity round at the moment t, not before the last collision, and the magnetic field.
   void reverse(const Time<Real>& t) {
     std::vector<std::uint32_t> written;
     std::vector<bool> done(world_.balls.size(), false);
@@ -101,6 +101,7 @@ class EventDriven {
       if constexpr (M::can_rest)
         if (world_.balls[i].held != 0) release(world_, i);
     }
+    if constexpr (M::circular) motion_.reverse();
     resume(t);
   }
 

@@ -15,13 +15,15 @@ namespace carom {
 /// True if it is certain that no two balls will ever meet, nor any ball a wall, given that none did between `since` and
 /// `now`; walls are at rest, as fixed balls are. A pair at relative rest keeps its distance. A pair whose relative velocity v is along one axis is
 /// where it was, up to whole periods, after every edge / |v|: what did not meet in such a time never will. (Twice that is
-/// asked for, so that rounding cannot matter.) Other pairs are not judged.
+/// asked for, so that rounding cannot matter.) Balls on circles are all where they were after every turn. Other pairs are not
+/// judged.
 template <Motion M>
 [[nodiscard]] bool parted(const M& motion, const World<typename M::Real, M::dimension>& world,
                           const Time<typename M::Real>& since, const Time<typename M::Real>& now) {
   using Real = typename M::Real;
   using std::abs;
   const Real waited = elapsed(since, now);
+  if constexpr (M::circular) return waited > 2 * ArcGap<Real>{motion.speed(), {}, {}, {}}.turn();
   const std::uint32_t n = static_cast<std::uint32_t>(world.balls.size());
   // The same way again and again, or no way at all.
   const auto repeats = [&](const Vec<Real, M::dimension>& v) {

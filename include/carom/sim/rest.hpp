@@ -57,7 +57,7 @@ template <class Real, int D, class Shape>
 [[nodiscard]] Landing<Real, D> set_at_rest(const World<Real, D>& world, const Shape& shape, std::uint32_t i,
                                            const Vec<Real, D>& x, const Vec<Real, D>& v, const Time<Real>& now) {
   using W = Wide<Real>;
-  const Vec<Real, D> n = normal_against<Real, D>(shape, world.acceleration), moving = wall_velocity(shape);
+  const Vec<Real, D> n = normal_against<Real, D>(shape, world.acceleration), moving = steady_velocity(shape);
   const W speed = normal_speed<Real, D>(n, v, moving).value;
   const W share = speed / wide_dot<Real, D>(n, n);
   Landing<Real, D> rest{set_on(world, shape, n, x, world.balls[i].radius, now), v, W(Real(0)), W(Real(0))};
@@ -83,7 +83,7 @@ template <class Real, int D, class Shape>
   using std::abs;
   const Real g = -dot<Real, D>(n, a);
   if (!(g > 0)) return false;
-  const NormalSpeed<Real> speed = normal_speed<Real, D>(n, v, wall_velocity(shape));
+  const NormalSpeed<Real> speed = normal_speed<Real, D>(n, v, steady_velocity(shape));
   const Real w = narrow(speed.value);
   if (!(w > speed.doubt)) return true;
   const Real flight = 2 * w / g;
@@ -102,7 +102,7 @@ template <class Real, int D>
   if (world.balls[i].held != 0)
     with_flat(world.walls, world.balls[i].held, [&](const auto& shape) {
       const Vec<Real, D> n = normal_against<Real, D>(shape, world.acceleration);
-      const NormalSpeed<Real> speed = normal_speed<Real, D>(n, v, wall_velocity(shape));
+      const NormalSpeed<Real> speed = normal_speed<Real, D>(n, v, steady_velocity(shape));
       if (!(abs(narrow(speed.value)) > speed.doubt)) rest = set_at_rest(world, shape, i, x, v, now);
     });
   return rest;
@@ -150,7 +150,7 @@ template <class Real, int D>
   W work(Real(0));
   if (world.balls[i].held == 0) return work;
   with_flat(world.walls, world.balls[i].held, [&](const auto& shape) {
-    const Vec<Real, D> moving = wall_velocity(shape);
+    const Vec<Real, D> moving = steady_velocity(shape);
     if (moving == Vec<Real, D>::Zero()) return;
     const Vec<Real, D> n = normal_against<Real, D>(shape, world.acceleration);
     const W power = wide_dot<Real, D>(n, world.acceleration) * wide_dot<Real, D>(n, moving) / wide_dot<Real, D>(n, n);

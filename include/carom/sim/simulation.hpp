@@ -62,7 +62,7 @@ struct Glimpse {
 using CollisionSink = std::function<void(const Collision&)>;
 
 /// How a ball goes on after an event that changed its motion, in the user's units: x + v s + a s^2 / 2 until its next
-/// change. Components beyond the dimension are 0.
+/// change, or on the circle of the scene's magnetic field. Components beyond the dimension are 0.
 struct MotionChange {
   std::uint32_t ball = 0;
   double time = 0.0;  ///< [time] rounded; epoch and offset hold all of it
@@ -124,7 +124,8 @@ class Simulation {
   /// Takes time() back to the last event, or to the start: where a run that has no events left ends.
   void return_to_last_event();
 
-  /// Turns every velocity round at time(). Without dissipation and moving walls the run then goes back to its start.
+  /// Turns every velocity, and the magnetic field, round at time(). Without dissipation and moving walls the run then goes
+  /// back to its start.
   void reverse();
 
   [[nodiscard]] Number time() const;      ///< [time] that the run has reached

@@ -115,7 +115,7 @@ class TogetherMaker {
     c.radii = world_.balls[a.ball].radius;
     bool flat = false;
     with_wall(world_, c.event.partner, c.event.feature, c.event.image, [&](const auto& shape, const auto& placed) {
-      impact.vb = wall_velocity(shape);
+      impact.vb = wall_velocity(world_, shape, now_);
       const Vector at = a.position - wall_drift(world_, shape, now_);
       const WallTouch<Real, D> place = touch_at<Real, D>(placed, at, c.radii, c.event.side);
       Vector n = place.normal;

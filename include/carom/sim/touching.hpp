@@ -120,7 +120,8 @@ class Touching {
   void hold_wall(const WorldType& world, std::uint32_t i, const Contact<D>& c, const Time<Real>& now) {
     const Ball<Real, D>& ball = world.balls[i];
     world.walls.with(c.partner, c.feature, [&](const auto& shape) {
-      if (ball.time != now && !slides_along(ball, shape)) return;
+      if (ball.time != now && swing_of(world.walls, shape) != nullptr) return;
+      if (ball.time != now && !(M::circular ? ball.velocity == Vec<Real, D>::Zero() : slides_along(ball, shape))) return;
       EventType e = event_of(world, i, now);
       e.kind = EventKind::ball_wall;
       e.partner = c.partner;

@@ -6,23 +6,20 @@
 
 namespace carom {
 
-template <class Real, int D>
-[[nodiscard]] inline Vec<Real, D> wall_velocity(const Face<Real, D>&) {
-  return Vec<Real, D>::Zero();
-}
-template <class Shape>
-[[nodiscard]] inline auto wall_velocity(const Shape& shape) {
-  return shape.velocity;
-}
-
-/// Where the wall is at `now`, relative to where it was at the world's start.
-template <class Real, int D>
-[[nodiscard]] inline Vec<Real, D> wall_drift(const World<Real, D>&, const Face<Real, D>&, const Time<Real>&) {
-  return Vec<Real, D>::Zero();
-}
+/// Where the wall is at `now`, relative to where the scene puts it.
 template <class Real, int D, class Shape>
 [[nodiscard]] inline Vec<Real, D> wall_drift(const World<Real, D>& world, const Shape& shape, const Time<Real>& now) {
   return drift(world, shape, now);
+}
+
+/// Of a wall that does not swing.
+template <class Real, int D>
+[[nodiscard]] inline Vec<Real, D> steady_velocity(const Face<Real, D>&) {
+  return Vec<Real, D>::Zero();
+}
+template <class Shape>
+[[nodiscard]] inline auto steady_velocity(const Shape& shape) {
+  return shape.velocity;
 }
 
 /// Direction of the impulse that the wall gives a ball at `at`, of any length.

@@ -65,7 +65,7 @@ inline void write_state(World<Real, D>& world, std::uint32_t i, const Vec<Real, 
   }
   for (int k = 0; k < D; ++k)
     detail.reach = std::max<Real>(detail.reach, std::max<Real>(abs(ball.position[k]), abs(x[k])));
-  if (world.accelerated()) {  // it may have been further out on the way
+  if (world.curved()) {  // it may have been further out on the way
     const Real flight = elapsed(ball.time, t);
     for (int k = 0; k < D; ++k) detail.reach = std::max<Real>(detail.reach, abs(ball.velocity[k]) * flight);
   }

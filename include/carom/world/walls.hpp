@@ -9,6 +9,7 @@
 #include "carom/shape/plane.hpp"
 #include "carom/shape/segment.hpp"
 #include "carom/shape/sphere.hpp"
+#include "carom/shape/swing.hpp"
 
 namespace carom {
 
@@ -23,6 +24,7 @@ struct Walls {
   std::vector<Parabola<Real>> parabolas;
   std::vector<PolarCurve<Real>> curves;
   std::vector<bool> openings;       ///< by wall number: balls whose centre comes to it leave; empty: none
+  std::vector<Swing<Real, D>> swings;
   std::vector<std::string> labels;  ///< by wall number: "0", "1", ... in file order, then the faces "x-", "x+", "y-", ...
 
   [[nodiscard]] bool empty() const noexcept { return labels.empty(); }

@@ -53,6 +53,7 @@ struct World {
   Walls<Real, Dimension> walls;
   Space<Real, Dimension> space;
   Vector acceleration = Vector::Zero();  ///< [length unit / L^2] of every ball that is not fixed
+  Real magnetic = Real(0);               ///< [rad/L] cyclotron frequency, > 0 anticlockwise (2-D)
   RestitutionTable<Real> restitution;
   LawKind law = LawKind::restitution;
   Simultaneous simultaneous = Simultaneous::sequential;
@@ -67,6 +68,8 @@ struct World {
     return b < 0 ? details[i].mass : bodies[static_cast<std::size_t>(b)].mass;
   }
   [[nodiscard]] bool accelerated() const { return !(acceleration == Vector::Zero()); }
+  /// Paths are not straight lines.
+  [[nodiscard]] bool curved() const { return accelerated() || magnetic != 0; }
 };
 
 }  // namespace carom

@@ -20,7 +20,8 @@ namespace carom {
 ///   u32  ball[E], partner[E], feature[E] (i32), changes_end[E], change_ball[C]
 ///   u8   kind[E] (0 two balls, 1 ball and wall, 2 other), tie[E]
 /// The moment of an event is time + time_low. Event e made the changes from changes_end[e - 1] (0 for the first) to
-/// changes_end[e]; until its next change a ball is at x + v s + a s^2 / 2, s after it. energy, dissipated and balance are
+/// changes_end[e]; until its next change a ball is at x + v s + a s^2 / 2, s after it, or on the circle of the magnetic field
+/// that the scene tells. energy, dissipated and balance are
 /// those after the event: kinetic + potential of the balls of finite mass, the sum of what was dissipated, and
 /// energy + dissipated - initial energy - injected; NaN but for the last event of an instant.
 class ReplayLog {
