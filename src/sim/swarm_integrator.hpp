@@ -243,7 +243,7 @@ class SwarmIntegrator {
       return;
     }
     run_.reach = 2 * largest + 2 * thickness;
-    run_.per_bucket = n < 5000 ? 12 : n < 50000 ? 64 : 256;
+    run_.per_bucket = n < 5000 ? 12 : n < 50000 ? 128 : 256;
     run_.far_sighted = n > 3000;
     kernel_ = swarm_kernel(run_.swarm, setup_.vectors);
     kernel_.start(run_);
