@@ -1,0 +1,28 @@
+# What is compiled for a later instruction set must not stand in for what others call: each symbol that the object gives away
+# has the name of its instruction set in it. The linker would else take either version for both.
+#   cmake -DNM=nm -DLIBRARY=libcarom.a -DOBJECT=swarm_avx2.cpp.o -DTAG=Avx2 -P tagged_symbols.cmake
+execute_process(COMMAND ${NM} -C --defined-only ${LIBRARY} OUTPUT_VARIABLE symbols RESULT_VARIABLE status)
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "${NM} ${LIBRARY}: ${status}")
+endif()
+string(REPLACE ";" "," symbols "${symbols}")
+string(REPLACE "\n" ";" symbols "${symbols}")
+set(inside FALSE)
+set(count 0)
+foreach(line IN LISTS symbols)
+  if(line MATCHES "^[^ ]*\\.o:$")
+    set(inside FALSE)
+    if(line STREQUAL "${OBJECT}:")
+      set(inside TRUE)
+    endif()
+  elseif(inside AND line MATCHES "^[0-9a-f]+ ([A-Zuvw]) (.*)$")  # small letters else: local to the object
+    math(EXPR count "${count} + 1")
+    if(NOT CMAKE_MATCH_2 MATCHES "${TAG}")
+      message(SEND_ERROR "${OBJECT} gives away ${CMAKE_MATCH_2}")
+    endif()
+  endif()
+endforeach()
+if(count EQUAL 0)
+  message(FATAL_ERROR "${OBJECT} is not in ${LIBRARY}")
+endif()
+message("${count} symbols, all with ${TAG}")
