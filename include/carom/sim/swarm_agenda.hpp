@@ -1,0 +1,138 @@
+#pragma once
+// What is due next among many balls: the bucket of the calendar at hand, in order, and the records that it will need.
+
+#include <cstdint>
+
+#include "carom/sim/swarm_run.hpp"
+
+namespace carom {
+
+/// `Target`: see SwarmLoop.
+template <int D, class Target, bool periodic, bool equal>
+class SwarmAgenda {
+ public:
+  using Run = SwarmRun<D>;
+
+  /// Ball i is entered where it is due.
+  [[gnu::noinline, gnu::flatten]] static void enqueue(Run& run, std::uint32_t i) {
+    const Slot& slot = run.shells.slots[i];
+    const Time<double> t = slot.due();
+    if (t.is_never()) return;
+    const std::int64_t b = run.calendar.bucket(t);
+    if (b > run.calendar.current()) {
+      run.calendar.push(i, b);
+      return;
+    }
+    const std::size_t n = run.agenda.size();
+    run.agenda.resize(n + 1);
+    std::size_t k = n;
+    const Due due{t, i, slot.partner};
+    for (; k > run.head && earlier(run, due, run.agenda[k - 1]); --k) run.agenda[k] = run.agenda[k - 1];
+    run.agenda[k] = due;
+  }
+
+  /// The next fine bucket of the calendar, in order.
+  [[gnu::noinline, gnu::flatten]] static bool next_bucket(Run& run) {
+    run.head = 0;
+    run.agenda.resize(0);
+    if (run.work.buckets >= run.next_tuning) detail::tune_calendar(run);
+    const auto bucket_of = [&run](std::uint32_t i) { return run.calendar.bucket(run.shells.slots[i].due()); };
+    std::size_t n = 0;
+    const bool any = run.calendar.next(
+        [&run, &n](std::uint32_t i) {
+          ++run.work.drained;
+          const Slot& slot = run.shells.slots[i];
+          const Time<double> t = slot.due();
+          if (run.calendar.bucket(t) != run.calendar.current()) return;
+          run.agenda.resize(n + 1);
+          run.agenda[n++] = Due{t, i, slot.partner};
+        },
+        bucket_of);
+    if (!any) return detail::refill_calendar(run);
+    if (run.far_sighted) run.calendar.peek([&run](std::uint32_t i) { __builtin_prefetch(&run.shells.slots[i]); });
+    ++run.work.buckets;
+    run.work.due += static_cast<std::int64_t>(n);
+    Due* const first = run.agenda.data();
+    if (n <= 24) {
+      for (std::size_t k = 1; k < n; ++k) {
+        const Due due = first[k];
+        std::size_t to = k;
+        for (; to > 0 && earlier(run, due, first[to - 1]); --to) first[to] = first[to - 1];
+        first[to] = due;
+      }
+    } else {
+      sort_by_time(run, first, n);
+    }
+    if (run.far_sighted)
+      for (std::size_t k = 0; k < 20 && k < n; ++k) fetch_parties(run, first[k]);
+    return true;
+  }
+
+  /// Fetches what the events to come will read: the records of both parties, then those around them.
+  CAROM_INLINE static void fetch_ahead(const Run& run) {
+    const std::size_t n = run.agenda.size();
+    if (run.head + 20 < n) fetch_parties(run, run.agenda[run.head + 20]);
+    if (run.head + 12 < n) {
+      const std::uint32_t i = run.agenda[run.head + 12].ball;
+      fetch_near(run, i);
+      if (run.shells.slots[i].exit_first()) run.shells.fetch_cells(i);
+    }
+    if (run.head + 6 < n) {
+      const std::uint32_t j = run.agenda[run.head + 6].partner;
+      if (j < run.swarm.size()) fetch_near(run, j);
+    }
+  }
+
+ private:
+  CAROM_INLINE static bool earlier(const Run& run, const Due& a, const Due& b) {
+    if (a.time.epoch != b.time.epoch) return a.time.epoch < b.time.epoch;
+    if (a.time.offset != b.time.offset) return a.time.offset < b.time.offset;
+    return a.ball != b.ball && detail::first_due_at_a_tie(run, a.ball, b.ball);
+  }
+
+  /// Puts n balls of the current bucket in order: by shares of its width into bins, and then those that are close.
+  CAROM_INLINE static void sort_by_time(Run& run, Due* first, std::size_t n) {
+    constexpr std::uint32_t bins = 256;
+    run.sorted.resize(n);
+    std::uint32_t begin[bins + 1] = {};
+    PageArray<std::uint8_t>& bin = run.bins;
+    bin.resize(n);
+    for (std::size_t k = 0; k < n; ++k) {
+      const double share = run.calendar.share(first[k].time) * bins;
+      bin[k] = static_cast<std::uint8_t>(share < bins - 1 ? static_cast<std::int32_t>(share) : static_cast<std::int32_t>(bins - 1));
+      ++begin[bin[k] + 1];
+    }
+    for (std::uint32_t b = 0; b < bins; ++b) begin[b + 1] += begin[b];
+    for (std::size_t k = 0; k < n; ++k) run.sorted[begin[bin[k]]++] = first[k];
+    first[0] = run.sorted[0];
+    for (std::size_t k = 1; k < n; ++k) {
+      const Due due = run.sorted[k];
+      std::size_t to = k;
+      for (; to > 0 && earlier(run, due, first[to - 1]); --to) first[to] = first[to - 1];
+      first[to] = due;
+    }
+  }
+
+  CAROM_INLINE static void fetch_parties(const Run& run, const Due& due) {
+    fetch_ball(run, due.ball);
+    if (due.partner >= run.swarm.size()) return;
+    fetch_ball(run, due.partner);
+    __builtin_prefetch(&run.shells.slots[due.partner]);
+  }
+
+  CAROM_INLINE static void fetch_ball(const Run& run, std::uint32_t i) {
+    __builtin_prefetch(&run.swarm.flights[i]);
+    __builtin_prefetch(&run.swarm.past[i]);
+    __builtin_prefetch(&run.swarm.stamp[i]);
+    run.shells.fetch_home(i);
+    __builtin_prefetch(&run.shells.slots[i].near);
+  }
+
+  CAROM_INLINE static void fetch_near(const Run& run, std::uint32_t i) {
+    const Slot& slot = run.shells.slots[i];
+    const std::uint32_t n = slot.count < Slot::here ? slot.count : Slot::here;
+    for (std::uint32_t k = 0; k < n; ++k) __builtin_prefetch(&run.swarm.flights[slot.near[k]]);
+  }
+};
+
+}  // namespace carom
