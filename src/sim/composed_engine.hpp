@@ -103,6 +103,11 @@ class ComposedEngine final : public Simulation::Engine {
     return stop_;
   }
 
+  [[nodiscard]] std::optional<std::int64_t> predictions() const override {
+    if constexpr (requires { integrator_->work().predictions; }) return integrator_->work().predictions;
+    return std::nullopt;
+  }
+
   void return_to_last_event() override {
     const Scope scope(precision_.digits);
     reached_ = integrator_->now();
