@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "carom/game_engine/game_engine.hpp"
+#include "carom/scene/growing.hpp"
 #include "carom/sim/fixed_step.hpp"
 
 namespace carom::app {
@@ -113,6 +114,9 @@ std::vector<Problem> judge_comparison(const Scene& scene, const std::vector<Plan
   if (scene.collision.law != LawKind::restitution)
     problems.push_back({scene.file, scene.collision.where.line, "compare needs the law \"restitution\"",
                         "balls that stay together have no course of their own to compare with", ""});
+  if (balls_grow(scene))
+    problems.push_back({scene.file, 0, "compare has no balls that grow", "time steps and engines keep the radii",
+                        "Leave out radius_growth"});
   for (const PlannedRow& row : rows) {
     try {
       row.make(scene);

@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "carom/scene/exact_only.hpp"
+#include "carom/scene/growing.hpp"
 #include "carom/write/number_text.hpp"
 
 namespace carom::app {
@@ -71,6 +72,11 @@ std::vector<std::string> collision_rules(const Scene& scene) {
   if (scene.space.restitution) rules.push_back("faces of the box: e = " + shown(*scene.space.restitution));
   for (std::size_t i = 0; i < scene.walls.size(); ++i)
     if (scene.walls[i].restitution) rules.push_back(fmt::format("wall {}: e = {}", i, shown(*scene.walls[i].restitution)));
+  if (balls_grow(scene))
+    rules.push_back("radii grow: e is of the speed at which the surfaces approach, and growth does work, booked as injected");
+  if (scene.run.rescale_every)
+    rules.push_back(fmt::format("every {} collisions all velocities are scaled back to the kinetic energy of the start",
+                                *scene.run.rescale_every));
   for (std::string& rule : regularisation(scene)) rules.push_back(std::move(rule));
   return rules;
 }
@@ -124,6 +130,7 @@ std::vector<std::string> limits(const Scene& scene) {
 }
 
 std::vector<std::string> limits_of_steps(const Scene& scene, const std::vector<BallState>& start) {
+  if (balls_grow(scene)) return {"balls that grow: steps and engines keep the radii, and compare refuses them"};
   if (scene.collision.law != LawKind::restitution)
     return {"balls that stick or merge: the fixed-step mode has the law \"restitution\" alone, and compare needs it"};
   std::vector<std::string> beyond;

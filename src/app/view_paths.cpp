@@ -27,6 +27,15 @@ std::size_t shown(std::size_t balls, std::size_t events) {
   return std::min<std::size_t>(events * 6 / 10 + 1, balls <= 40 ? 60 : 400);
 }
 
+/// Balls that grow are drawn as large as they are at the moment of the picture.
+void grow(Paths& paths, const Json& scene) {
+  if (!scene.contains("radius_growth")) return;
+  for (std::size_t i = 0; i < paths.of.size(); ++i) {
+    const double at_start = paths.of[i].front().radius;
+    paths.of[i].back().radius = at_start + scene["radius_growth"][i].get<double>() * (paths.now - paths.start);
+  }
+}
+
 }  // namespace
 
 Paths paths_of(const Json& scene, std::string_view start, std::string_view chunk, double end) {
@@ -50,6 +59,7 @@ Paths paths_of(const Json& scene, std::string_view start, std::string_view chunk
   }
   if (chunk.empty()) {
     paths.now = std::isfinite(end) ? paths.start + (end - paths.start) / 2 : paths.start;
+    grow(paths, scene);
     return paths;
   }
   const std::vector<std::uint32_t> head = integers(chunk, 0, 8);
@@ -80,6 +90,7 @@ Paths paths_of(const Json& scene, std::string_view start, std::string_view chunk
   // A little later, when those that met have parted.
   const double last = time[events - 1], next = events < E ? time[events] : std::max(end, last);
   paths.now = last + std::min(0.9 * (next - last), 0.4 * (last - paths.start));
+  grow(paths, scene);
   return paths;
 }
 

@@ -112,6 +112,8 @@ class Try {
       case Stop::events: return "events";
       case Stop::no_events_left: return "no_events_left";
       case Stop::interrupted: return "interrupted";
+      case Stop::packing: return "packing";
+      case Stop::pressure: return "pressure";
       default: break;
     }
     const auto stopped = simulation.summary().stopped;

@@ -9,6 +9,7 @@
 
 #include "carom/core/error.hpp"
 #include "carom/scene/exact_only.hpp"
+#include "carom/scene/growing.hpp"
 #include "carom/scene/validate.hpp"
 #include "start.hpp"
 #include "world/roster.hpp"
@@ -37,6 +38,7 @@ std::vector<Problem> outside_the_scope(const Scene& scene) {
   if (is_magnetic(scene)) refuse(scene.motion.where, "motion.magnetic", "Leave it out");
   for (const WallSpec& w : scene.walls)
     if (w.oscillation) refuse(w.where, "wall.oscillation", "Leave it out");
+  if (balls_grow(scene)) refuse({}, "radius_growth", "Leave it out");
   for (const WallSpec& w : scene.walls)
     if (scene.space.kind == SpaceKind::periodic || w.opening)
       refuse(w.where, w.opening ? "an opening" : "a wall in a periodic space", "Use a box, or fixed balls");

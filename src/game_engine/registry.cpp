@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "carom/scene/growing.hpp"
 #include "adapters.hpp"
 #include "carom/scene/exact_only.hpp"
 #include "limits.hpp"
@@ -115,6 +116,7 @@ std::vector<std::string> cannot_represent(const Scene& scene, std::string_view n
   if (!beyond.empty()) return beyond;
   const game_engine::Layout layout = game_engine::make_layout(scene, game_engine::engine_facts(number).size);
   std::vector<std::string> all = game_engine::refusals(layout, number);
+  if (balls_grow(scene)) all.push_back(fmt::format("{} has no balls that grow.", game_engine::engine_facts(number).title));
   if (!all.empty()) return all;
   return game_engine::approximations(layout, number);
 }

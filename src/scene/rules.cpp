@@ -146,7 +146,7 @@ void judge_material_pairs(Judgement& j) {
 void judge_run(Judgement& j) {
   const RunSpec& r = j.scene.run;
   TableRules rules(j, {"run"}, r.where);
-  if (!r.until && !r.events) {
+  if (!r.until && !r.events && !r.until_packing && !r.until_reduced_pressure) {
     j.findings.push_back({{rules.key("until"), rules.key("events")},
                           r.where,
                           "the run has no end",
@@ -211,6 +211,7 @@ std::vector<Finding> findings(const Scene& scene) {
   judge_tables(j);
   judge_ensemble(j);
   judge_run(j);
+  judge_growth(j);
   judge_observe(j);
   judge_output(j);
   judge_presence(j);

@@ -72,5 +72,6 @@ void judge_gases(Judgement& judgement);
 void judge_walls(Judgement& judgement);
 void judge_observe(Judgement& judgement);
 void judge_ensemble(Judgement& judgement);
+void judge_growth(Judgement& judgement);
 
 }  // namespace carom::scene_text

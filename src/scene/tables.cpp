@@ -130,6 +130,7 @@ BallSpec read_ball(TableReader t) {
   t.number("mass", b.mass);
   t.text("material", b.material);
   t.flag("fixed", b.fixed);
+  t.number("radius_growth", b.radius_growth);
   t.finish();
   return b;
 }
@@ -149,6 +150,7 @@ LatticeSpec read_lattice(TableReader t) {
   t.text("material", l.material);
   t.number("temperature", l.temperature);
   t.seed("seed", l.seed);
+  t.number("radius_growth", l.radius_growth);
   refuse_other_kinds(t, l.kind, rack_keys, lattice_kinds);
   if (l.kind == LatticeKind::rack) {
     t.integer("rows", l.rows);
@@ -172,6 +174,7 @@ GasSpec read_gas(TableReader t) {
   t.number("speed", g.speed);
   t.text("material", g.material);
   t.seed("seed", g.seed);
+  t.number("radius_growth", g.radius_growth);
   t.finish();
   return g;
 }
@@ -263,6 +266,9 @@ RunSpec read_run(TableReader t) {
   t.number("start", r.start);
   t.number("until", r.until);
   t.integer("events", r.events);
+  t.number("until_packing", r.until_packing);
+  t.number("until_reduced_pressure", r.until_reduced_pressure);
+  t.integer("rescale_every", r.rescale_every);
   t.number("sample_every", r.sample_every);
   t.seed("seed", r.seed);
   t.finish();

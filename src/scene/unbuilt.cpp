@@ -20,7 +20,6 @@ constexpr std::array unbuilt{
     Unbuilt{"collision.law", "rough"},
     Unbuilt{"ball.spin"},
     Unbuilt{"ball.inertia"},
-    Unbuilt{"gas.radius_growth"},
 };
 
 }  // namespace

@@ -105,6 +105,7 @@ std::unique_ptr<Simulation::Engine> make_reference(const Scene& scene, World<typ
 template <int D>
 std::unique_ptr<Simulation::Engine> make_reference_engine(const Scene& scene) {
   World<double, D> world = build<double, D>(scene);
+  if (world.growth.any()) return make_growing_reference<D>(scene, std::move(world));
   if (world.accelerated() && world.regularise == Regularise::rest)
     return make_resting_reference<D>(scene, std::move(world));
   if constexpr (D == 2)
@@ -135,6 +136,7 @@ std::unique_ptr<Simulation::Engine> make_engine(const Scene& scene) {
       return make_magnetic_engine(scene, std::move(world), std::move(composition));
     }
   composition.reasons.push_back("free flight: no acceleration, so paths are straight lines");
+  if (world.growth.any()) return make_growing_engine<D>(scene, std::move(world), std::move(composition));
   if (world.regularise == Regularise::rest)
     composition.reasons.push_back("nothing comes to rest: no acceleration presses balls on a wall");
   return detail::choose_search(scene, std::move(world), FreeFlight<double, D>{}, std::move(composition));

@@ -40,6 +40,9 @@ template <class Real, int D>
 std::unique_ptr<Simulation::Engine> make_in(const Scene& scene, const Precision& precision) {
   const PrecisionScope<Real> scope(precision.digits);
   World<Real, D> world = build<Real, D>(scene);
+  if (world.growth.any())
+    throw InputError(Problem{scene.file, 0, "balls that grow in a precision other than double: not built yet",
+                             "radii grow in double only", "Leave out --precision, or radius_growth"});
   if (world.accelerated() && world.regularise == Regularise::rest)
     throw InputError(Problem{scene.file, scene.collision.where.line,
                              "collision.regularise = \"rest\" in a precision other than double: not built yet",

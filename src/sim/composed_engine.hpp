@@ -10,6 +10,7 @@
 #include "carom/sim/event_driven.hpp"
 #include "carom/sim/totals.hpp"
 #include "carom/world/build.hpp"
+#include "carom/world/placement/radius.hpp"
 #include "engine.hpp"
 #include "quantity.hpp"
 #include "state_bytes.hpp"
@@ -80,7 +81,7 @@ class ComposedEngine final : public Simulation::Engine {
         motion_(motion),
         reached_(world.start),
         start_(totals_at(motion, world, world.start)),
-        conserved_momentum_(world.walls.empty() && !world.curved()),
+        conserved_momentum_(world.walls.empty() && !world.curved() && world.growth.rescale_every == 0),
         scene_print_(print_of_scene(world)) {
     for (const auto& d : world.details) conserved_momentum_ = conserved_momentum_ && !detail::infinite(d.mass);
     integrator_.emplace(std::move(world), motion, std::move(setup));
@@ -97,6 +98,8 @@ class ComposedEngine final : public Simulation::Engine {
     const bool to_the_end = (stop_ == Stop::until || stop_ == Stop::no_events_left) && !end.is_never();
     if (to_the_end) {
       reached_ = end;
+    } else if (stop_ == Stop::packing) {
+      if constexpr (GrowingMotion<M>) reached_ = world().growth.packed;
     } else if (integrator_->now() > reached_) {
       reached_ = integrator_->now();
     }
@@ -146,6 +149,9 @@ class ComposedEngine final : public Simulation::Engine {
     }
     return all;
   }
+  [[nodiscard]] double radius_growth(std::uint32_t i) const override {
+    return near(growth_of(world(), i), world().units.velocity());
+  }
   [[nodiscard]] std::uint32_t wall_count() const override { return static_cast<std::uint32_t>(world().walls.labels.size()); }
   [[nodiscard]] std::string wall_label(std::uint32_t wall) const override { return world().walls.labels.at(wall); }
   [[nodiscard]] Units units() const override { return world().units; }
@@ -170,7 +176,7 @@ class ComposedEngine final : public Simulation::Engine {
       state.unwrapped_position.push_back(user(narrow(far[k]), world().units.length));
       state.velocity.push_back(user(v[k], world().units.velocity()));
     }
-    state.radius = user(world().balls[i].radius, world().units.length);
+    state.radius = user(radius_at(world(), i, reached_), world().units.length);
     state.mass = user(world().details[i].mass, world().units.mass);
     return state;
   }
@@ -185,7 +191,7 @@ class ComposedEngine final : public Simulation::Engine {
       g.position[k] = near(narrow(far[k]), world().units.length);
       g.velocity[k] = near(v[k], world().units.velocity());
     }
-    g.radius = near(world().balls[i].radius, world().units.length);
+    g.radius = near(radius_at(world(), i, reached_), world().units.length);
     g.mass = near(world().details[i].mass, world().units.mass);
     return g;
   }
@@ -268,6 +274,7 @@ class ComposedEngine final : public Simulation::Engine {
                    e.singular,
                    e.summed_bounces,
                    e.repredicted};
+    if constexpr (GrowingMotion<M>) s.growth = growth();
     return s;
   }
 
@@ -287,6 +294,7 @@ class ComposedEngine final : public Simulation::Engine {
     visitor.exactness(collider.exactness);
     visitor.books(collider.books);
     visitor.watch(collider.watch);
+    if constexpr (GrowingMotion<M>) visitor.growth(collider.growth);
     visitor.world(world);
   }
 
@@ -314,6 +322,8 @@ class ComposedEngine final : public Simulation::Engine {
     }
     for (const Real& e : world.restitution.values()) archive(e);
     for (const bool opening : world.walls.openings) archive(opening);
+    for (const Real& rate : world.growth.rates) archive(rate);
+    if (world.growth.any()) archive(world.growth.rescale_every);
     world.walls.for_each([&](const auto& shape) {
       archive(index(shape.wall));
       archive(shape.feature);
@@ -395,6 +405,18 @@ class ComposedEngine final : public Simulation::Engine {
                    world().units.angular_momentum());
   }
 
+  [[nodiscard]] GrowthSummary growth() const requires GrowingMotion<M> {
+    GrowthSummary g;
+    if (integrator_->ledger().growth.pressure > 0) g.reduced_pressure = static_cast<double>(integrator_->ledger().growth.pressure);
+    if (world().space.kind == SpaceKind::open) return g;
+    double filled = 0, room = 1;
+    for (std::uint32_t i = 0; i < world().balls.size(); ++i)
+      filled += ball_volume(static_cast<double>(radius_at(world(), i, reached_)), D);
+    for (int k = 0; k < D; ++k) room *= static_cast<double>(world().space.edge[k]);
+    g.packing_fraction = filled / room;
+    return g;
+  }
+
   [[nodiscard]] MotionChange motion_of(std::uint32_t i) const {
     const Ball<Real, D> ball = world().balls[i];
     const Units u = world().units;
@@ -410,7 +432,8 @@ class ComposedEngine final : public Simulation::Engine {
       m.velocity[k] = near(ball.velocity[k], u.velocity());
       m.acceleration[k] = near(a[k], u.acceleration());
     }
-    m.radius = near(ball.radius, u.length);
+    m.radius = near(radius_at(world(), i, Time<Real>(ball.time)), u.length);
+    m.radius_growth = near(growth_of(world(), i), u.velocity());
     m.mass = near(world().details[i].mass, u.mass);
     m.alive = ball.alive;
     return m;

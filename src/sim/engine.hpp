@@ -36,6 +36,7 @@ class Simulation::Engine {
   [[nodiscard]] virtual BallState ball(std::uint32_t number) const = 0;
   [[nodiscard]] virtual Glimpse glimpse(std::uint32_t number) const;
   [[nodiscard]] virtual std::vector<Departure> departures() const = 0;  ///< by number
+  [[nodiscard]] virtual double radius_growth(std::uint32_t) const { return 0.0; }
   [[nodiscard]] virtual std::uint32_t wall_count() const = 0;
   [[nodiscard]] virtual std::string wall_label(std::uint32_t wall) const = 0;
   [[nodiscard]] virtual Units units() const = 0;
@@ -90,6 +91,12 @@ template <int D>
 [[nodiscard]] std::unique_ptr<Simulation::Engine> make_magnetic_engine(const Scene& scene, World<double, 2> world,
                                                                        Composition composition);
 [[nodiscard]] std::unique_ptr<Simulation::Engine> make_magnetic_reference(const Scene& scene, World<double, 2> world);
+/// The same two for scenes in which balls grow.
+template <int D>
+[[nodiscard]] std::unique_ptr<Simulation::Engine> make_growing_engine(const Scene& scene, World<double, D> world,
+                                                                      Composition composition);
+template <int D>
+[[nodiscard]] std::unique_ptr<Simulation::Engine> make_growing_reference(const Scene& scene, World<double, D> world);
 
 extern template bool swarm_fits(const World<double, 2>&);
 extern template bool swarm_fits(const World<double, 3>&);

@@ -9,6 +9,7 @@
 
 #include "carom/core/error.hpp"
 #include "carom/scene/exact_only.hpp"
+#include "carom/scene/growing.hpp"
 #include "carom/sim/fixed_step/discrete.hpp"
 #include "carom/sim/fixed_step/penalty.hpp"
 #include "carom/sim/fixed_step/speculative.hpp"
@@ -123,6 +124,9 @@ std::vector<Problem> judge(const Scene& scene, const FixedStepOptions& options) 
       problems.push_back({scene.file, w.where.line,
                           w.opening ? "the fixed-step mode has no openings" : "the fixed-step mode has no walls in a periodic space",
                           "its walls stand once, and nothing passes them", "Leave the wall out, or use the event-driven mode"});
+  if (balls_grow(scene))
+    problems.push_back({scene.file, 0, "the fixed-step mode has no balls that grow", "it keeps the radii",
+                        "Leave out radius_growth, or use the event-driven mode"});
   return problems;
 }
 

@@ -92,6 +92,7 @@ std::vector<Departure> Simulation::departures() const {
   std::stable_sort(all.begin(), all.end(), [](const Departure& a, const Departure& b) { return a.time < b.time; });
   return all;
 }
+double Simulation::radius_growth(std::uint32_t number) const { return engine_->radius_growth(number); }
 std::uint32_t Simulation::wall_count() const { return engine_->wall_count(); }
 std::string Simulation::wall_label(std::uint32_t wall) const { return engine_->wall_label(wall); }
 std::array<double, 3> Simulation::periods() const { return engine_->periods(); }

@@ -45,6 +45,13 @@ class StateVisitor {
       each(s.duration);
     });
   }
+  void growth(auto& g) {
+    wide(g.kinetic);
+    wide(g.virial);
+    wide(g.before);
+    time(g.begun);
+    each(g.movable, g.pressure);
+  }
   void time(auto& t) { each(t.epoch, t.offset); }
 
  private:

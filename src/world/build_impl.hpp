@@ -19,6 +19,7 @@
 #include "choose_units.hpp"
 #include "curved_walls.hpp"
 #include "near_joints.hpp"
+#include "growth_plan.hpp"
 #include "outline.hpp"
 #include "real_number.hpp"
 #include "roster.hpp"
@@ -99,6 +100,7 @@ class WorldBuilder {
     fill_walls();
     if constexpr (D == 2)
       for (Problem& p : near_joints(scene_, world_)) problems_.push_back(std::move(p));
+    fill_growth();
     fill_balls();
     judge_places();
     fill_restitution();
@@ -139,6 +141,19 @@ class WorldBuilder {
       world_.acceleration[k] = real_number<Real>(scene_.motion.acceleration[k], -world_.units.acceleration());
     if (scene_.motion.magnetic) world_.magnetic = real_number<Real>(*scene_.motion.magnetic, world_.units.time);
   }
+
+  /// Of all balls, those of the gases too.
+  void fill_growth() {
+    GrowthPlan<Real, D> plan(scene_, world_);
+    for (const BallSpec& b : scene_.balls)
+      plan.add(1, length(b.radius), rate(b.radius_growth), !b.fixed && velocity(b.velocity) != Vector(Vector::Zero()));
+    for (const PlacedGroup& g : roster_.groups) {
+      const bool moves = std::any_of(g.balls.velocity.begin(), g.balls.velocity.end(), [](double v) { return v != 0; });
+      plan.add(g.balls.position.size() / D, length(Number(g.balls.radius)), rate(g.radius_growth), moves);
+    }
+    world_.growth = plan.finished(problems_);
+  }
+  Real rate(const Number& growth) const { return real_number<Real>(growth, -world_.units.velocity()); }
 
   void judge_rest() {
     const std::size_t count = flat_count(world_.walls);

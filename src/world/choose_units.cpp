@@ -138,6 +138,7 @@ void judge_all(const Scene& scene, const Scales& scales, const Units& units, std
     for (const Number& v : b.velocity) judge(scene, b.where.line, "velocity", v, velocity, problems);
     judge(scene, b.where.line, "radius", b.radius, length, problems);
     judge(scene, b.where.line, "mass", b.mass, mass, problems);
+    judge(scene, b.where.line, "radius_growth", b.radius_growth, velocity, problems);
   }
   for (const Coordinates* c : {&scene.space.lower, &scene.space.upper})
     for (const Number& x : *c) judge(scene, scene.space.where.line, "coordinate", x, length, problems);
@@ -165,6 +166,8 @@ void judge_all(const Scene& scene, const Scales& scales, const Units& units, std
 
 Units choose_units(const Scene& scene, const Roster& roster, std::vector<Problem>& problems) {
   Scales s;
+  for (const BallSpec& b : scene.balls) s.largest_speed = std::max(s.largest_speed, Wider(b.radius_growth.value));
+  for (const PlacedGroup& g : roster.groups) s.largest_speed = std::max(s.largest_speed, Wider(g.radius_growth.value));
   if (roster.region.kind != SpaceKind::open)
     for (int k = 0; k < scene.dimension; ++k) s.length(Wider(roster.region.upper[k]) - roster.region.lower[k]);
   read_walls(scene, s);

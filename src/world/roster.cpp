@@ -126,7 +126,7 @@ Roster make_roster(const Scene& scene) {
   }
   for (const LatticeSpec& spec : scene.lattices) {
     try {
-      roster.groups.push_back({place_lattice(spec, roster.region), spec.mass, spec.material, spec.where.line});
+      roster.groups.push_back({place_lattice(spec, roster.region), spec.mass, spec.material, spec.where.line, spec.radius_growth});
     } catch (const InputError& e) {
       collect(e);
     }
@@ -160,7 +160,7 @@ Roster make_roster(const Scene& scene) {
     for (std::size_t i = 0; i < gases.size(); ++i) {
       if (!in_tables) roster.region = gases[i].region;
       const GasSpec& spec = scene.gases[i];
-      roster.groups.push_back({std::move(gases[i]), spec.mass, spec.material, spec.where.line});
+      roster.groups.push_back({std::move(gases[i]), spec.mass, spec.material, spec.where.line, spec.radius_growth});
     }
   } catch (const InputError& e) {
     collect(e);

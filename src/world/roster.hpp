@@ -15,6 +15,7 @@ struct PlacedGroup {
   Number mass = 1.0;
   std::string material;
   int line = 0;
+  Number radius_growth = 0.0;
 };
 
 struct Roster {

@@ -58,7 +58,8 @@ void ExtendedXyz::append_space(const TrajectoryFrame& frame) {
 }
 
 std::string_view ExtendedXyz::species(const BallState& ball) {
-  const std::size_t number = species_.try_emplace({ball.radius.value, ball.mass.value}, species_.size()).first->second;
+  const double radius = head_.growing ? first_radius_.try_emplace(ball.index, ball.radius).first->second : ball.radius.value;
+  const std::size_t number = species_.try_emplace({radius, ball.mass.value}, species_.size()).first->second;
   return number < elements.size() ? elements[number] : "X";
 }
 

@@ -1,5 +1,6 @@
 #include "carom/write/frame.hpp"
 
+#include "carom/scene/growing.hpp"
 #include "energy_error.hpp"
 
 namespace carom {
@@ -28,7 +29,8 @@ TrajectoryHead head_of(const Scene& scene, const Simulation& simulation) {
   head.dimension = simulation.dimension();
   head.space = scene.space.kind;
   head.epoch_length = simulation.epoch_length();
-  head.varying = scene.collision.law == LawKind::merge;
+  head.growing = balls_grow(scene);
+  head.varying = scene.collision.law == LawKind::merge || head.growing;
   head.balls = static_cast<std::uint32_t>(simulation.summary().balls);
   const std::array<double, 3> periods = simulation.periods();
   if (periods[0] > 0) head.space = SpaceKind::periodic;  // a gas makes its own where none is given

@@ -24,7 +24,8 @@ void put(std::string& bytes, const std::vector<T>& column) {
 
 /// Collisions do not tell of all changes of motion.
 bool needs_changes(const Scene& scene) {
-  return scene.collision.law != LawKind::restitution || scene.collision.regularise == Regularise::rest;
+  return scene.collision.law != LawKind::restitution || scene.collision.regularise == Regularise::rest ||
+         scene.run.rescale_every.has_value();
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <array>
 #include <vector>
 
+#include "carom/scene/growing.hpp"
+
 namespace carom {
 
 namespace {
@@ -109,7 +111,12 @@ Json replay_scene(const Scene& scene, const Simulation& simulation) {
   j["names"] = Json::object();
   for (std::size_t i = 0; i < scene.balls.size(); ++i)
     if (!scene.balls[i].name.empty()) j["names"][std::to_string(i)] = scene.balls[i].name;
-  j["balls"] = simulation.summary().balls;
+  const std::uint32_t balls = simulation.ball_count();
+  j["balls"] = balls;
+  if (balls_grow(scene)) {
+    j["radius_growth"] = Json::array();
+    for (std::uint32_t i = 0; i < balls; ++i) j["radius_growth"].push_back(simulation.radius_growth(i));
+  }
   return j;
 }
 

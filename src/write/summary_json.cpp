@@ -43,6 +43,11 @@ Json exactness(const ExactnessSummary& e) {
           {"repredicted", e.repredicted}};
 }
 
+Json growth(const GrowthSummary& g) {
+  const auto known = [](const std::optional<double>& x) { return x ? Json(*x) : Json(nullptr); };
+  return {{"packing_fraction", known(g.packing_fraction)}, {"reduced_pressure", known(g.reduced_pressure)}};
+}
+
 /// The place of one level of a name: a key, or the element of a list where it ends in [index].
 Json& step(Json& place, const std::string& level) {
   const std::size_t bracket = level.find('[');
@@ -101,6 +106,7 @@ Json summary_object(const RunReport& report) {
   j["momentum"] = momentum(s.momentum);
   j["angular_momentum"] = angular_momentum(s.angular_momentum);
   j["exactness"] = exactness(s.exactness);
+  if (s.growth) j["growth"] = growth(*s.growth);
   j["observed"] = observed_object(report.observed);
   if (report.final) j["final"] = final_object(*report.final);
   j["seconds"] = report.seconds;

@@ -84,6 +84,11 @@ void add_exactness(Table& table, const ExactnessSummary& e) {
             e.clamped > 0 || e.unresolved > 0 ? Tone::warning : Tone::plain);
 }
 
+void add_growth(Table& table, const GrowthSummary& g) {
+  if (g.packing_fraction) table.row("packing fraction", number(*g.packing_fraction));
+  if (g.reduced_pressure) table.row("reduced pressure", number(*g.reduced_pressure) + " over the last block of collisions");
+}
+
 void add_observed(Table& table, const Estimates& observed) {
   if (observed.empty()) return;
   std::size_t width = 0;
@@ -140,6 +145,7 @@ std::string summary_table(const RunReport& report, Colour colour) {
   add_balance(table, "angular momentum", s.angular_momentum,
               "walls, forces, balls of infinite mass or a periodic space change it");
   add_exactness(table, s.exactness);
+  if (s.growth) add_growth(table, *s.growth);
   add_observed(table, report.observed);
   add_cost(table, report);
   add_files(table, report.files);

@@ -75,6 +75,7 @@ struct BallSpec {
   Number mass = 1.0;      ///< [mass], > 0 or inf (keeps its velocity). DEFAULT: 1
   std::string material{};   ///< DEFAULT: none
   bool fixed = false;     ///< never moves: infinite mass, zero velocity. DEFAULT: false
+  Number radius_growth = 0.0;  ///< [length/time], >= 0: the radius grows from the run's start. DEFAULT: 0
   Where where{};
 };
 
@@ -90,6 +91,7 @@ struct LatticeSpec {
   std::string material{};                      ///< DEFAULT: none
   std::optional<Number> temperature{};         ///< k_B T [energy]. DEFAULT: at rest
   std::uint64_t seed = 1;                    ///< of the velocities. DEFAULT: 1
+  Number radius_growth = 0.0;                ///< [length/time], >= 0, from the run's start. DEFAULT: 0
   int rows = 5;                              ///< rack: rows. DEFAULT: 5 (15 balls)
   Number gap = 0.0;                          ///< rack: [length] between neighbours, >= 0. DEFAULT: 0
   Coordinates apex{};                          ///< rack: [length] centre of the first ball
@@ -108,6 +110,7 @@ struct GasSpec {
   std::optional<Number> speed{};           ///< [length/time] of every ball, its direction drawn. DEFAULT: as the temperature says
   std::string material{};                    ///< DEFAULT: none
   std::uint64_t seed = 1;                  ///< DEFAULT: 1
+  Number radius_growth = 0.0;              ///< [length/time], >= 0, from the run's start. DEFAULT: 0
   Where where{};
 };
 
@@ -180,6 +183,10 @@ struct RunSpec {
   Number start = 0.0;                      ///< [time] the clock at the beginning. DEFAULT: 0
   std::optional<Number> until{};             ///< [time] absolute; events at it are included
   std::optional<std::int64_t> events{};      ///< exactly so many collisions
+  std::optional<Number> until_packing{};     ///< [-] share of the space that growing balls fill: the run ends as they reach it
+  std::optional<Number> until_reduced_pressure{};  ///< [-] > 1: p V / (N k_B T) of growing balls, over blocks of collisions
+  std::optional<std::int64_t> rescale_every{};     ///< growing balls: every so many collisions the velocities are scaled so that
+                                                   ///< the kinetic energy is that of the start. DEFAULT: never
   std::optional<Number> sample_every{};      ///< [time] between frames
   std::uint64_t seed = 0;                  ///< DEFAULT: 0
   Where where{};

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "carom/motion/growing_flight.hpp"
 #include "carom/predict/event.hpp"
 #include "carom/search/near_walls.hpp"
 #include "carom/solve/gap.hpp"
@@ -33,6 +34,7 @@ class CellGrid {
   using Tile = std::array<std::int64_t, static_cast<std::size_t>(D)>;
   static constexpr const char* name = "cells";
   static constexpr double margin = 0x1p-10;  ///< relative: a thousand million periods of flight round to far less
+  static constexpr double growth_room = 0x1p-6;  ///< share by which diameters may grow, at least, before cells are too small
 
   explicit CellGrid(Layout layout = Layout::fitted) : layout_(layout) {}
 
@@ -73,6 +75,16 @@ class CellGrid {
   /// False once a ball has grown beyond what the cells were laid out for.
   [[nodiscard]] bool fits(const WorldType&, std::uint32_t, const Real& diameter) const {
     return !(static_cast<double>(diameter) * (1 + margin) > reach_);
+  }
+
+  /// When the first of the growing balls has outgrown the cells; `never` if none will.
+  [[nodiscard]] Time<Real> outgrown(const WorldType& world) const {
+    const double widest = room_ / (1 + margin) / 2;
+    Real first = never<Real>();
+    for (std::uint32_t i = 0; i < world.balls.size(); ++i)
+      if (world.growth.rates[i] > 0)
+        first = std::min<Real>(first, (Real(widest) - world.balls[i].radius) / world.growth.rates[i]);
+    return after(world.start, first);
   }
 
   /// When ball i leaves its tile.
@@ -188,11 +200,16 @@ class CellGrid {
         low[k] = alive == 0 ? x[k] : std::min<Real>(low[k], x[k]);
         high[k] = alive == 0 ? x[k] : std::max<Real>(high[k], x[k]);
       }
-      largest = std::max(largest, 2 * static_cast<double>(world.balls[i].radius));
+      largest = std::max(largest, 2 * static_cast<double>(radius_at(world, i, now)));
       ++alive;
     }
+    if constexpr (GrowingMotion<M>) {
+      largest *= 1 + growth_room;
+      if (world.space.kind != SpaceKind::open)  // from points
+        largest = std::max(largest, growth_room * growth_room * static_cast<double>(world.space.edge.minCoeff()));
+    }
     reach_ = largest * (1 + margin);
-    points_ = D > 1 && largest == 0;
+    points_ = D > 1 && largest == 0 && !GrowingMotion<M>;
     bounded_ = !world.space.periodic();
     periodic_ = world.space.periodic();
     std::array<double, static_cast<std::size_t>(D)> extent{};
@@ -207,6 +224,7 @@ class CellGrid {
     const double wanted = std::max(2.0 * static_cast<double>(alive), 1.0);
     const double widen = std::max(1.0, std::pow(most / wanted, 1.0 / D));
     std::int64_t total = 1;
+    room_ = never<double>();
     for (int k = 0; k < D; ++k) {
       const double fit = reach_ > 0 ? std::floor(extent[k] / (reach_ * widen)) : std::floor(1e6 / widen);
       cells_[k] = layout_ == Layout::one_cell ? 1 : static_cast<std::int64_t>(std::clamp(fit, 1.0, 1e6));
@@ -218,7 +236,9 @@ class CellGrid {
       if (periodic_)
         range_[k] = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(reach_ / static_cast<double>(edge_[k]))));
       total *= cells_[k];
+      if (periodic_ || cells_[k] > 1) room_ = std::min(room_, static_cast<double>(edge_[k]) * static_cast<double>(range_[k]));
     }
+    if (periodic_ && !world.walls.empty()) room_ = std::min(room_, reach_);
     first_.assign(static_cast<std::size_t>(total), none);
   }
 
@@ -286,6 +306,7 @@ class CellGrid {
   bool bounded_ = false, periodic_ = false;
   bool points_ = false;  // in a plane or in space points never meet
   double reach_ = 0;  // largest diameter and margin
+  double room_ = 0;   // how far the cells that are looked at reach at least
   Vec<Real, D> lower_ = Vec<Real, D>::Zero(), edge_ = Vec<Real, D>::Zero();
   Tile cells_{}, range_{};
   std::vector<Tile> tiles_;                                                  // by ball

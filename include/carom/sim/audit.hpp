@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "carom/world/growth.hpp"
 #include "carom/world/near_pairs.hpp"
 #include "carom/world/state.hpp"
 #include "carom/world/wall_images.hpp"
@@ -40,9 +41,13 @@ template <Motion M, class WorldLike>
   Audit result;
   std::vector<Vec<Real, D>> at;  // wrapped
   std::vector<Real> reach;       // size of the coordinates that entered the position, and of the way in an epoch
+  std::vector<Real> radius;
+  double grown = 0;  // most that a diameter has grown
   for (std::uint32_t i = 0; i < world.balls.size(); ++i) {
     Vec<Real, D> x = world.balls[i].alive ? position_at(motion, world, i, t) : world.balls[i].position;
-    Real size = std::max<Real>(world.balls[i].radius, world.details[i].reach);
+    radius.push_back(radius_at(world, i, t));
+    grown = std::max(grown, 2 * static_cast<double>(Real(radius[i] - world.balls[i].radius)));
+    Real size = std::max<Real>(radius[i], world.details[i].reach);
     const Vec<Real, D> v = world.balls[i].alive ? velocity_at(motion, world, i, t) : world.balls[i].velocity;
     for (int k = 0; k < D; ++k) {
       size = std::max<Real>(size, abs(v[k]));
@@ -70,7 +75,7 @@ template <Motion M, class WorldLike>
   const Real ulps = Real(audit_ulp) * unit_roundoff<Real>();
   const auto pair = [&](std::uint32_t i, std::uint32_t j, const Image<D>& image) {
     if (!world.balls[i].alive || !world.balls[j].alive || (world.balls[i].fixed && world.balls[j].fixed)) return;
-    const Real sigma = world.balls[i].radius + world.balls[j].radius;
+    const Real sigma = radius[i] + radius[j];
     if (!(sigma > 0)) return;
     Vec<Real, D> r = at[j] - at[i];
     if (world.space.periodic())
@@ -82,7 +87,7 @@ template <Motion M, class WorldLike>
     for (std::uint32_t i = 0; i < at.size(); ++i)
       for (std::uint32_t j = i + 1; j < at.size(); ++j) pair(i, j, Image<D>{});
   } else {
-    for_each_near_pair(world, at, 0.0, pair);
+    for_each_near_pair(world, at, grown * (1 + 0x1p-20), pair);
   }
   for (std::uint32_t i = 0; i < at.size(); ++i) {
     if (!world.balls[i].alive || world.balls[i].fixed) continue;
@@ -90,16 +95,15 @@ template <Motion M, class WorldLike>
       if (world.walls.opens(index(shape.wall))) return;
       Vec<Real, D> x = at[i];
       if (world.space.periodic()) {
-        for_each_image(world.space, shape, x, world.balls[i].radius, [&](const Image<D>& n) {
+        for_each_image(world.space, shape, x, radius[i], [&](const Image<D>& n) {
           const Real gap = moved_by(world.space, shape, n).gap(x);
-          note(Real(world.balls[i].radius - gap), ulps * (2 * reach[i] + abs(gap)), world.balls[i].radius, i, index(shape.wall),
-               true);
+          note(Real(radius[i] - gap), ulps * (2 * reach[i] + abs(gap)), radius[i], i, index(shape.wall), true);
         });
         return;
       }
       x -= drift(world, shape, t);
-      const Real depth = world.balls[i].radius - shape.gap(x);
-      note(depth, ulps * (2 * reach[i] + abs(shape.gap(x))), world.balls[i].radius, i, index(shape.wall), true);
+      const Real depth = radius[i] - shape.gap(x);
+      note(depth, ulps * (2 * reach[i] + abs(shape.gap(x))), radius[i], i, index(shape.wall), true);
     });
   }
   return result;

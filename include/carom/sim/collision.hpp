@@ -9,13 +9,14 @@
 #include <string>
 #include <vector>
 
-#include "carom/law/impact.hpp"
+#include "carom/law/growing_impact.hpp"
 #include "carom/predict/ball_wall.hpp"
 #include "carom/predict/event.hpp"
 #include "carom/sim/books.hpp"
 #include "carom/sim/collapse_reason.hpp"
 #include "carom/sim/collapse_watch.hpp"
 #include "carom/sim/contact_rule.hpp"
+#include "carom/sim/growth_books.hpp"
 #include "carom/sim/measures.hpp"
 #include "carom/sim/record.hpp"
 #include "carom/sim/recording.hpp"
@@ -43,10 +44,12 @@ class Collider {
   Exactness<Real> exactness;
   EnergyBooks<Real> books;
   CollapseWatch<Real> watch;
+  [[no_unique_address]] GrowthBooksOf<M> growth;
   std::string reason;                       ///< of a verdict other than go_on
   std::vector<std::uint32_t> reason_balls;  ///< whom it concerns
 
-  void reset(const WorldType& world) {
+  void reset(const WorldType& world, const M& motion) {
+    if constexpr (GrowingMotion<M>) growth.reset(motion, world);
     for (std::uint32_t i = 0; i < world.balls.size(); ++i) note_potential(world, i);
     if (world.restitution.any_below_one()) watch.reset(world.balls.size());
   }
@@ -92,7 +95,7 @@ class Collider {
       impact.r[k] = wide_difference<Real>(xb[k], xa[k]);
       if (world.space.periodic()) impact.r[k] = impact.r[k] + wide_product<Real>(Real(event.image[k]), world.space.edge[k]);
     }
-    const Real sigma = world.balls[i].radius + world.balls[j].radius;
+    const Real sigma = radius_of(world, i, now) + radius_of(world, j, now);
     const Real gap = world.law == LawKind::merge ? Real(0) : note_gap(exactness, gap_of_pair<Real>(impact.r, sigma), sigma);
     if constexpr (D == 1) impact.r[0] = W(Real(side_on_line(world, i, j, event.image)));
     impact.e = restitution_of_pair(world, impact, i, j, now);
@@ -101,7 +104,8 @@ class Collider {
     const Time<Real> before_a = a.last_hit, before_b = b.last_hit;
     Outcome<Real, D> outcome;
     if (world.law == LawKind::restitution) {
-      outcome = resolve_impact(impact);
+      outcome = resolve(impact, growth_of_pair(world, i, j));
+      if constexpr (GrowingMotion<M>) growth.impact(outcome.impulse, sigma);
       const Turns<D> image_a = a.image, image_b = b.image;
       const Vector from_a = narrowed(impact.r);
       sides_.note(world, i);
@@ -128,7 +132,7 @@ class Collider {
       fill_party(record.partner, world, j, before_b);
       record.partner.velocity_before = impact.vb;
       record.partner.velocity_after = outcome.vb;
-      record.point = world.balls[i].position - record.normal * world.balls[i].radius;
+      record.point = world.balls[i].position - record.normal * radius_of(world, i, now);
       sink(record);
     }
     if (!finite(outcome.va) || !finite(outcome.vb))
@@ -158,24 +162,25 @@ class Collider {
       return stop(Verdict::collapse, "a ball of infinite mass meets a wall, and no law says what follows", {i});
 
     Vector x = position_at(motion, world, i, now);
+    const Real radius = radius_of(world, i, now);
     Real gap(0);
     Support support = Support::curve;
     with_wall(world, event.partner, event.feature, event.image, [&](const auto& shape, const auto& placed) {
       impact.vb = wall_velocity(world, shape, now);
       const Vector at = x - wall_drift(world, shape, now);
-      const WallTouch<Real, D> place = touch_at<Real, D>(placed, at, world.balls[i].radius, event.side);
+      const WallTouch<Real, D> place = touch_at<Real, D>(placed, at, radius, event.side);
       Vector n = place.normal;
       if (place.singular) {  // a point at a vertex is sent back
         ++exactness.singular;
         n = -(impact.va - impact.vb);
       }
       for (int k = 0; k < D; ++k) impact.r[k] = W(Real(-n[k]));
-      gap = note_gap(exactness, place.gap, world.balls[i].radius);
+      gap = note_gap(exactness, place.gap, radius);
       if (flat_number(world.walls, shape) != 0) support = Support::corner;
     });
 
     impact.e = restitution_at_wall(world, impact, i, event.partner, support == Support::corner, now);
-    Outcome<Real, D> outcome = resolve_impact(impact);
+    Outcome<Real, D> outcome = resolve(impact, growth_of_ball(world, i));
     const bool tie = is_tie(a, now, Party::wall, event.partner, event.feature);
     const Time<Real> before = a.last_hit;
     const Turns<D> image = a.image;
@@ -214,7 +219,7 @@ class Collider {
       fill_party(record.ball, world, i, before);
       record.partner.number = event.partner;
       record.partner.velocity_before = record.partner.velocity_after = impact.vb;
-      record.point = world.balls[i].position - record.normal * world.balls[i].radius;
+      record.point = world.balls[i].position - record.normal * radius;
       note_place(world, event, x, record);
       sink(record);
     }
@@ -231,8 +236,25 @@ class Collider {
   static void note_place(const WorldType& world, const Event<Real, D>& event, const Vector& x, Record<Real, D>& record) {
     with_wall(world, event.partner, event.feature, event.image, [&](const auto& shape, const auto& placed) {
       fill_place(record, placed, Vector(x - wall_drift(world, shape, event.time)),
-                 world.balls[event.ball].radius, event.side);
+                 radius_of(world, event.ball, event.time), event.side);
     });
+  }
+
+  [[nodiscard]] static Real radius_of(const WorldType& world, std::uint32_t i, const Time<Real>& now) {
+    if constexpr (GrowingMotion<M>) return radius_at(world, i, now);
+    return world.balls[i].radius;
+  }
+  [[nodiscard]] static Real growth_of_ball(const WorldType& world, std::uint32_t i) {
+    if constexpr (GrowingMotion<M>) return world.growth.rates[i];
+    return Real(0);
+  }
+  [[nodiscard]] static Real growth_of_pair(const WorldType& world, std::uint32_t i, std::uint32_t j) {
+    return growth_of_ball(world, i) + growth_of_ball(world, j);
+  }
+  /// `rate`: at which the gap shrinks by growth.
+  [[nodiscard]] static Outcome<Real, D> resolve(const Impact<Real, D>& impact, const Real& rate) {
+    if constexpr (GrowingMotion<M>) return resolve_growing_impact(impact, rate);
+    return resolve_impact(impact);
   }
 
   /// Ball i goes on from x with velocity v: on the wall that it rests on, if v keeps it there.

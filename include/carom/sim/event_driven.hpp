@@ -12,6 +12,7 @@
 
 #include "carom/predict/ball_ball.hpp"
 #include "carom/predict/ball_wall.hpp"
+#include "carom/predict/growing.hpp"
 #include "carom/queue/event_queue.hpp"
 #include "carom/search/neighbour_search.hpp"
 #include "carom/sim/books.hpp"
@@ -19,6 +20,7 @@
 #include "carom/sim/collision.hpp"
 #include "carom/sim/instant_watch.hpp"
 #include "carom/sim/parted.hpp"
+#include "carom/sim/rescale.hpp"
 #include "carom/sim/record.hpp"
 #include "carom/sim/stop.hpp"
 #include "carom/sim/touching.hpp"
@@ -36,8 +38,8 @@ class EventDriven {
 
   EventDriven(WorldType& world, const M& motion, Search search = Search())
       : world_(world), motion_(motion), now_(world.start), search_(std::move(search)) {
-    collider_.reset(world_);
-    predict_all();
+    collider_.reset(world_, motion_);
+    predict_all(now_);
   }
 
   /// Carries out events until the next one lies after `until`, `collisions` have happened, or nothing more will. `sink` is
@@ -52,6 +54,15 @@ class EventDriven {
       if (counts().collisions() >= goal) return Stop::events;
       if (interrupt != nullptr && interrupt->load(std::memory_order_relaxed)) return Stop::interrupted;
       const EventType event = queue_.top();
+      if constexpr (GrowingMotion<M>) {
+        if (const Time<Real>& due = growth_due(); due < event.time) {
+          if (due > until) return Stop::until;
+          if (due == world_.growth.packed) return Stop::packing;
+          if (due == world_.growth.full) return no_space(due);
+          predict_all(due);
+          continue;
+        }
+      }
       if (event.kind == EventKind::none) return Stop::no_events_left;
       if (event.time > until) return Stop::until;
       if (event.kind == EventKind::bookkeeping) {
@@ -76,6 +87,8 @@ class EventDriven {
         if (instant && verdict == Verdict::go_on && instant_.repeats(world_, event)) verdict = no_room();
         if (verdict == Verdict::collapse) return Stop::collapse;
         if (verdict == Verdict::non_finite) return Stop::non_finite;
+        if constexpr (GrowingMotion<M>)
+          if (const Stop stop = after_growth(sink); stop != Stop::events) return stop;
       }
     }
   }
@@ -85,7 +98,7 @@ class EventDriven {
     now_ = crossed_ = now;
     quiet_ = 0;
     instant_.begin();
-    predict_all();
+    predict_all(now_);
   }
 
   /// Turns every velocity round at the moment t, not before the last collision, and the magnetic field.
@@ -115,12 +128,56 @@ class EventDriven {
   [[nodiscard]] Collider<M>& collider() noexcept { return collider_; }
 
  private:
-  void predict_all() {
+  /// The search starts anew on the world as it is at t; contact times do not depend on when they are found.
+  void predict_all(const Time<Real>& t) {
     const std::uint32_t n = static_cast<std::uint32_t>(world_.balls.size());
     queue_.reset(n);
     next_.assign(n, EventType{});
-    search_.reset(world_, motion_, now_);
+    search_.reset(world_, motion_, t);
+    if (t > crossed_) crossed_ = t;
+    if constexpr (GrowingMotion<M> && requires { search_.outgrown(world_); }) outgrown_ = search_.outgrown(world_);
     for (std::uint32_t i = 0; i < n; ++i) predict(i);
+  }
+
+  // --- growth ---
+
+  /// The first of: packed, full, the cells too small.
+  [[nodiscard]] const Time<Real>& growth_due() const {
+    const Time<Real>&packed = world_.growth.packed, &full = world_.growth.full;
+    const Time<Real>& first = full < packed ? full : packed;
+    return outgrown_ < first ? outgrown_ : first;
+  }
+
+  Stop no_space(const Time<Real>& t) {
+    now_ = t;
+    collider_.reason = "a ball has grown until it fills its space";
+    collider_.reason_balls = {};
+    for (std::uint32_t i = 0; i < world_.balls.size(); ++i)
+      if (collider_.reason_balls.empty() || radius_at(world_, i, t) > radius_at(world_, collider_.reason_balls[0], t))
+        collider_.reason_balls = {i};
+    return Stop::collapse;
+  }
+
+  /// What is due after a collision: a block of the pressure, then a rescaling. `events`: go on.
+  template <class Sink>
+  Stop after_growth(Sink&& sink) {
+    Stop stop = Stop::events;
+    if (collider_.growth.count(world_, counts(), books(), now_)) {
+      const Real& pressure = collider_.growth.pressure;
+      if (world_.growth.pressure > 0 && pressure >= world_.growth.pressure) {
+        stop = Stop::pressure;
+      } else if (pressure == infinity<Real>()) {
+        collider_.reason = "the balls are jammed: no time goes by between their impacts";
+        collider_.reason_balls.assign(collider_.moved().begin(), collider_.moved().end());
+        stop = Stop::collapse;
+      }
+    }
+    if (world_.growth.rescale_every > 0 && counts().collisions() % world_.growth.rescale_every == 0) {
+      const auto written = rescale(world_, motion_, collider_, now_);
+      if constexpr (requires { sink.moved(collider_.moved()); }) sink.moved(std::span<const std::uint32_t>(written));
+      predict_all(now_);
+    }
+    return stop;
   }
 
   /// Law "symmetric": together with all contacts that act at the same moment, if there are any.
@@ -136,7 +193,7 @@ class EventDriven {
   void predict_moved() {
     for (const std::uint32_t i : collider_.moved()) search_.moved(world_, motion_, i);
     for (const std::uint32_t i : collider_.moved())
-      if (!search_.fits(world_, i, Real(2 * world_.balls[i].radius))) return predict_all();
+      if (!search_.fits(world_, i, Real(2 * world_.balls[i].radius))) return predict_all(now_);
     for (const std::uint32_t i : collider_.moved()) predict(i);
   }
 
@@ -189,7 +246,7 @@ class EventDriven {
   [[nodiscard]] std::int64_t patience() const { return 1024 + static_cast<std::int64_t>(next_.size() * next_.size()); }
 
   [[nodiscard]] bool nothing_left(const Time<Real>& t) const {
-    if (!world_.space.periodic()) return false;
+    if (!world_.space.periodic() || GrowingMotion<M>) return false;
     for (const EventType& e : next_)
       if (e.kind != EventKind::none) return false;
     return parted(motion_, world_, now_, t);
@@ -205,6 +262,7 @@ class EventDriven {
   M motion_;
   Time<Real> now_;             // of the last collision
   Time<Real> crossed_ = now_;  // of the last bookkeeping
+  Time<Real> outgrown_ = Time<Real>::never();  // when growing balls have outgrown the search
   std::int64_t quiet_ = 0;     // bookkeeping events since then
   Collider<M> collider_;
   InstantWatch<Real, D> instant_;

@@ -26,7 +26,7 @@ class Sides {
       sides_.clear();
       curves_.note(world, i);
       const Ball<Real, D>& ball = world.balls[i];
-      if (ball.radius > 0) return;
+      if (ball.radius > 0 || growth_of(world, i) > 0) return;
       if (world.space.periodic()) {
         before_ = ball;
         image_ = world.details[i].image;
@@ -44,7 +44,7 @@ class Sides {
   void keep(WorldType& world, std::uint32_t i, const Vec<Real, D>& normal) const {
     if constexpr (D == 2) {
       curves_.keep(world, i);
-      if (world.space.periodic() && !(world.balls[i].radius > 0)) keep_in_periods(world, i, normal);
+      if (world.space.periodic() && !(world.balls[i].radius > 0) && !(growth_of(world, i) > 0)) keep_in_periods(world, i, normal);
       for (std::size_t k = 0; k < sides_.size(); ++k) {
         const Segment<Real>& s = world.walls.segments[k];
         if (sides_[k] == 0 || !lost(world, i, s, sides_[k], normal)) continue;

@@ -72,7 +72,8 @@ struct MotionChange {
   std::array<std::int64_t, 3> image{};
   std::array<double, 3> velocity{}, acceleration{};
   double radius = 0.0, mass = 1.0;
-  bool alive = true;  ///< false: it has left
+  double radius_growth = 0.0;  ///< [length/time] of the radius, from then on
+  bool alive = true;           ///< false: it has left
 };
 
 using MotionSink = std::function<void(const MotionChange&)>;
@@ -117,8 +118,8 @@ class Simulation {
                const CollisionSink& sink = {}, const std::atomic<bool>* interrupt = nullptr);
 
   /// From now on `sink` is told of every ball whose motion an event has changed, whether that was a collision or not, after
-  /// the collision's own record. Collisions tell all of it where the law is "restitution" and no ball comes to rest: then
-  /// a simulation may tell nothing.
+  /// the collision's own record. Collisions tell all of it where the law is "restitution", no ball comes to rest and no
+  /// velocities are scaled back: then a simulation may tell nothing.
   void watch_motion(MotionSink sink);
 
   /// Takes time() back to the last event, or to the start: where a run that has no events left ends.
@@ -139,6 +140,7 @@ class Simulation {
   [[nodiscard]] bool alive(std::uint32_t number) const;      ///< false: it has left
   [[nodiscard]] Glimpse glimpse(std::uint32_t number) const; ///< at time()
   [[nodiscard]] std::vector<Departure> departures() const;   ///< up to time(), by time, then by number
+  [[nodiscard]] double radius_growth(std::uint32_t number) const;  ///< [length/time]
   [[nodiscard]] std::uint32_t wall_count() const;                      ///< [[wall]]s, then the faces of the box
   [[nodiscard]] std::string wall_label(std::uint32_t wall) const;
   [[nodiscard]] int dimension() const;

@@ -6,7 +6,7 @@
 
 namespace carom {
 
-enum class Stop : std::uint8_t { until, events, no_events_left, collapse, non_finite, interrupted };
+enum class Stop : std::uint8_t { until, events, no_events_left, collapse, non_finite, interrupted, packing, pressure };
 
 [[nodiscard]] constexpr std::string_view word(Stop stop) noexcept {
   switch (stop) {
@@ -22,6 +22,10 @@ enum class Stop : std::uint8_t { until, events, no_events_left, collapse, non_fi
       return "non_finite";
     case Stop::interrupted:
       return "interrupted";
+    case Stop::packing:
+      return "packing";
+    case Stop::pressure:
+      return "pressure";
   }
   return "";
 }

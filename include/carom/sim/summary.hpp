@@ -17,7 +17,7 @@ struct EnergyBalance {
   Number initial = 0.0;         ///< kinetic + potential at the start
   Number final = 0.0;           ///< the same at the end
   Number dissipated = 0.0;      ///< by impacts
-  Number injected = 0.0;        ///< by moving walls and balls of infinite mass
+  Number injected = 0.0;        ///< by moving walls, balls of infinite mass, growth and rescaling
   Number relative_error = 0.0;  ///< |final + dissipated - initial - injected| / largest energy in play
 };
 
@@ -47,6 +47,12 @@ struct ExactnessSummary {
   std::int64_t repredicted = 0;
 };
 
+/// Of balls that grow.
+struct GrowthSummary {
+  std::optional<double> packing_fraction;  ///< [-] share of the space that all balls fill; none in an open space
+  std::optional<double> reduced_pressure;  ///< [-] p V / (N k_B T) over the last block of collisions; none before the first
+};
+
 struct StopDetail {
   std::string reason;
   std::vector<std::uint32_t> balls;
@@ -68,6 +74,7 @@ struct Summary {
   EnergyBalance energy;
   VectorBalance momentum, angular_momentum;
   ExactnessSummary exactness;
+  std::optional<GrowthSummary> growth;
 };
 
 }  // namespace carom

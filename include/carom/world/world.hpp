@@ -8,6 +8,7 @@
 #include "carom/core/vec.hpp"
 #include "carom/scene/scene.hpp"
 #include "carom/world/ball.hpp"
+#include "carom/world/growth.hpp"
 #include "carom/world/restitution_table.hpp"
 #include "carom/world/units.hpp"
 #include "carom/world/walls.hpp"
@@ -54,6 +55,7 @@ struct World {
   Space<Real, Dimension> space;
   Vector acceleration = Vector::Zero();  ///< [length unit / L^2] of every ball that is not fixed
   Real magnetic = Real(0);               ///< [rad/L] cyclotron frequency, > 0 anticlockwise (2-D)
+  Growth<Real> growth{};                 ///< of the balls; their `radius` is that at the start
   RestitutionTable<Real> restitution;
   LawKind law = LawKind::restitution;
   Simultaneous simultaneous = Simultaneous::sequential;

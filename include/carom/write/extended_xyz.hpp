@@ -16,7 +16,7 @@ namespace carom {
 /// as the largest ball.
 ///
 /// Readers insist on chemical symbols. The species is the number of the ball's (radius, mass), in order of appearance, as a
-/// chemical element: H, He, Li, ... and X beyond the last. It says nothing else.
+/// chemical element: H, He, Li, ... and X beyond the last. It says nothing else. A ball that grows keeps its species.
 ///
 /// The format has no end mark: that a file has its name says that it is whole.
 class ExtendedXyz final : public Trajectory {
@@ -37,6 +37,7 @@ class ExtendedXyz final : public Trajectory {
   TrajectoryHead head_;
   double thickness_ = 0.0;  // of the cell beyond the scene's dimensions; 0: not chosen yet
   std::map<std::pair<double, double>, std::size_t> species_;
+  std::map<std::uint32_t, double> first_radius_;  // by ball number, where balls grow
 };
 
 }  // namespace carom

@@ -17,7 +17,7 @@ struct FrameBooks {
   std::int64_t collisions = 0;          ///< so far
   double energy = 0.0;                  ///< kinetic + potential
   double dissipated = 0.0;              ///< so far, by impacts
-  double injected = 0.0;                ///< so far, by moving walls and balls of infinite mass
+  double injected = 0.0;                ///< so far, by moving walls, balls of infinite mass, growth and rescaling
   double imbalance = 0.0;               ///< energy + dissipated - initial - injected, rounded once
   double imbalance_ulp = 0.0;           ///< the same in units in the last place of the initial energy; nan if that is 0
   std::vector<Number> momentum;
@@ -38,6 +38,7 @@ struct TrajectoryHead {
   double epoch_length = 0.0;               ///< [time]; 0: not known
   std::uint32_t balls = 0;                 ///< their numbers are below this
   bool varying = false;                    ///< balls leave, or masses and radii change
+  bool growing = false;                    ///< radii grow: a ball stays of the kind that it was in its first frame
   bool velocities = true;                  ///< known; else they are left out of what is written
   bool radii = true;                       ///< known; else 0
 };

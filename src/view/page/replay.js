@@ -14,6 +14,7 @@ export class Replay {
     this.log = log;
     this.scene = scene;
     this.start = scene.start;
+    this.growth = scene.radius_growth ?? null; // rates by ball
     this.acceleration = [0, 1, 2].map((k) => scene.acceleration[k] ?? 0);
     const periodic = scene.space.kind === 'periodic';
     this.period = [0, 1, 2].map((k) => (periodic && k < log.dimension ? scene.space.upper[k] - scene.space.lower[k] : 0));
@@ -78,7 +79,12 @@ export class Replay {
   }
   radius(i) {
     const c = this.current[i];
+    if (this.growth) return this.grown(i, this.since(-1));
     return c >= 0 && this.log.radius ? this.log.radius[c] : this.log.startRadius[i];
+  }
+  /** Radius of ball i, which grows, s after the start. */
+  grown(i, s) {
+    return this.log.startRadius[i] + this.growth[i] * s;
   }
   mass(i) {
     const c = this.current[i];
@@ -133,7 +139,7 @@ export class Replay {
     // A ball that grows by merging jumps to the common centre: then the contact is where its flight before ended.
     const before = log.previous[at], since = before < 0 ? -1 : log.changeEvent[before];
     const s = since < 0 ? log.time[e] - this.start + log.timeLow[e] : log.time[e] - log.time[since] + (log.timeLow[e] - log.timeLow[since]);
-    const r = log.radius && before >= 0 ? log.radius[before] : log.startRadius[ball];
+    const r = this.growth ? this.grown(ball, log.time[e] - this.start) : log.radius && before >= 0 ? log.radius[before] : log.startRadius[ball];
     const normal = [0, 0, 0], point = [0, 0, 0], centre = [0, 0, 0];
     for (let k = 0; k < D; ++k) {
       normal[k] = log.normal[e * D + k];
