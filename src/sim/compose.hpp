@@ -52,6 +52,8 @@ std::unique_ptr<Simulation::Engine> choose_search(const Scene& scene, World<type
       composition.reasons.push_back(fmt::format("neighbour lists{}: {} balls", asked ? " (as [engine] asks)" : "", n));
       return make_swarm_engine<D>(scene, std::move(world), std::move(composition));
     }
+    if (chosen && scene.engine.queue == QueueKind::automatic && few_fits(world))
+      return make_few_engine<D>(scene, std::move(world), std::move(composition));
   }
   if (search == SearchKind::neighbour_list)
     throw InputError(Problem{scene.file, scene.engine.where.line, "engine.search = \"neighbour_list\" does not fit this scene",

@@ -1,0 +1,6 @@
+#include "compose_few.hpp"
+
+namespace carom {
+template bool few_fits(const World<double, 3>&);
+template std::unique_ptr<Simulation::Engine> make_few_engine(const Scene&, World<double, 3>, Composition);
+}  // namespace carom
