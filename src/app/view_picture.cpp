@@ -87,9 +87,9 @@ class Svg {
   Svg(const Json& scene, const Paths& paths) : view_(scene, paths), paths_(paths) {
     text_ = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} "
-        "{}\"><style>rect,.floor{{fill:#f9f8f4}}.back,.wall.back{{fill:#eceae3}}"
+        "{}\"><style>rect,.floor{{fill:#f9f8f4}}.back,.wall.back{{fill:#eceae3}}.wall.in{{fill:#f9f8f4}}"
         ".wall{{fill:none;stroke:#3c4650;stroke-width:2;stroke-linejoin:round}}.path{{fill:none;stroke-width:1;opacity:.6}}"
-        ".ball{{stroke:#0005;stroke-width:.5}}@media(prefers-color-scheme:dark){{rect,.floor{{fill:#161b21}}.back,.wall.back{{"
+        ".ball{{stroke:#0005;stroke-width:.5}}@media(prefers-color-scheme:dark){{rect,.floor,.wall.in{{fill:#161b21}}.back,.wall.back{{"
         "fill:#0c0f13}}"
         ".wall{{stroke:#aab4bf}}}}</style><rect class=\"back\" width=\"{}\" height=\"{}\"/>",
         width, height, width, height);
@@ -173,7 +173,8 @@ class Svg {
     }
     const std::vector<Place> points = wall_points(w);
     const bool opening = w.value("opening", false);
-    const char* classes = w.value("side", "") == "outside" && !opening ? "wall back" : "wall";
+    const std::string side = opening ? "" : w.value("side", "");
+    const char* classes = side == "outside" ? "wall back" : side == "inside" || (w["kind"] == "polygon" && !opening) ? "wall in" : "wall";
     for (const Place& shift : shifts_into(space, points)) {
       Place moved = shift;
       if (w.contains("velocity"))

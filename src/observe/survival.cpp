@@ -9,11 +9,56 @@ namespace carom {
 
 namespace {
 
-/// Balls that can leave at all: those that move.
-std::size_t movable(const Simulation& simulation) {
-  std::size_t n = simulation.departures().size();
+constexpr std::uint32_t groups = 20;
+
+/// The slope of -ln N over from .. to, without the balls of one group (`groups`: with all). `gone` is sorted by time.
+double escape_rate(const std::vector<Departure>& gone, double count, double from, double to, std::uint32_t without) {
+  const auto taken = [&](const Departure& d) { return d.ball % groups != without; };
+  double left = count;
+  for (const Departure& d : gone) {
+    if (!taken(d)) continue;
+    if (d.time <= to) left -= 1;
+    if (left == 0) to = d.time;  // nothing is left to take a logarithm of
+  }
+  const double middle = (from + to) / 2, span = to - from;
+  double at = from, sum = 0;
+  left = count;
+  const auto pass = [&](double t) {
+    sum += std::log(left) * ((t - middle) * (t - middle) - (at - middle) * (at - middle)) / 2;
+    at = t;
+  };
+  for (const Departure& d : gone) {
+    if (!taken(d)) continue;
+    if (d.time >= to) break;
+    if (d.time > from) pass(d.time);
+    left -= 1;
+  }
+  pass(to);
+  return -12 * sum / (span * span * span);
+}
+
+/// Delete one group, each in turn.
+double jackknife_error(const std::vector<Departure>& gone, const std::vector<double>& counts, double from, double to) {
+  double sum = 0, squares = 0;
+  for (std::uint32_t g = 0; g < groups; ++g) {
+    const double rate = escape_rate(gone, counts[groups] - counts[g], from, to, g);
+    sum += rate;
+    squares += rate * rate;
+  }
+  const double n = groups;
+  return std::sqrt(std::max(0.0, (squares - sum * sum / n) * (n - 1) / n));
+}
+
+/// Balls that can leave at all, those that move: by group, and of all.
+std::vector<double> movable(const Simulation& simulation) {
+  std::vector<double> n(groups + 1, 0.0);
+  const auto count = [&](std::uint32_t ball) {
+    n[ball % groups] += 1;
+    n[groups] += 1;
+  };
+  for (const Departure& d : simulation.departures()) count(d.ball);
   for (std::uint32_t i = 0; i < simulation.ball_count(); ++i)
-    if (simulation.alive(i) && simulation.glimpse(i).mass < HUGE_VAL) ++n;
+    if (simulation.alive(i) && simulation.glimpse(i).mass < HUGE_VAL) count(i);
   return n;
 }
 
@@ -36,20 +81,14 @@ double Survival::until(const Simulation& simulation) const {
 Estimates Survival::estimates(const Simulation& simulation) const {
   if (!asked_) return {};
   const double from = asked_->from ? asked_->from->value : start_, to = until(simulation);
-  double waited = 0;
-  std::size_t n = 0, before = 0;
-  for (const Departure& d : simulation.departures()) {
-    if (d.time > to) continue;
-    before += d.time <= from;
-    n += d.time > from;
-    if (d.time > from) waited += d.time - from;
-  }
-  const std::size_t left = movable(simulation) - before - n;
-  waited += static_cast<double>(left) * (to - from);
-  Estimate rate{"survival.escape_rate"}, departures{"survival.departures", static_cast<double>(n), std::sqrt(static_cast<double>(n))};
+  const std::vector<Departure> gone = simulation.departures();
+  const double n = static_cast<double>(std::count_if(gone.begin(), gone.end(), [&](const Departure& d) { return d.time > from && d.time <= to; }));
+  Estimate rate{"survival.escape_rate"};
+  const Estimate departures{"survival.departures", n, std::sqrt(n)};
   if (n > 0) {
-    rate.value = static_cast<double>(n) / waited;
-    rate.error = rate.value / std::sqrt(static_cast<double>(n));
+    const std::vector<double> counts = movable(simulation);
+    rate.value = escape_rate(gone, counts[groups], from, to, groups);
+    rate.error = jackknife_error(gone, counts, from, to);
   }
   return {rate, departures};
 }
@@ -57,7 +96,7 @@ Estimates Survival::estimates(const Simulation& simulation) const {
 std::vector<Table> Survival::tables(const Simulation& simulation) const {
   if (!asked_) return {};
   const std::vector<Departure> all = simulation.departures();
-  const double count = static_cast<double>(movable(simulation)), end = simulation.time();
+  const double count = movable(simulation)[groups], end = simulation.time();
   Table curve{"survival", {"time", "balls", "share", "error"}, {}};
   std::size_t gone = 0;
   for (std::int64_t k = 0; k <= asked_->bins; ++k) {
