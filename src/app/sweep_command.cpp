@@ -1,6 +1,8 @@
 #include "sweep_command.hpp"
 
 #include <algorithm>
+#include <exception>
+#include <memory>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -14,6 +16,7 @@
 #include "progress.hpp"
 #include "sweep_desk.hpp"
 #include "sweep_plan.hpp"
+#include "sweep_ranks.hpp"
 #include "sweep_rows.hpp"
 #include "sweep_statistics.hpp"
 
@@ -83,8 +86,49 @@ class Collector {
   Progress progress_;
 };
 
-int threads_of(const SweepOptions& options) {
-  return options.threads > 0 ? options.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+/// mpirun starts one process a processor.
+int threads_of(const SweepOptions& options, bool one_of_many) {
+  if (options.threads > 0) return options.threads;
+  return one_of_many ? 1 : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+/// All others wait for what rank 0 says; what goes wrong before, it says alone.
+ExitStatus sweep_here(const SweepOptions& options, const Console& console, const Ranks* ranks) {
+  bool led = false;
+  try {
+    if (options.resume && options.out.empty())
+      throw InputError(Problem{"", 0, "--resume without --out", "it goes on with the rows in a folder", "Name it: --out DIR"});
+    const SweepPlan plan(options);
+    if (plan.names_files() && !options.quiet)
+      console.err << "carom: the scene's files under [output] are not written in a sweep; carom run writes those of one run.\n";
+    Interrupt interrupt;
+    Collector collector(options, plan, console);
+    SweepDesk desk(collector.found(), plan.ensemble().runs(), [&](const std::string& line) { collector.take(line); },
+                   interrupt.flag());
+    led = true;
+    if (ranks != nullptr) {
+      lead(plan, desk, threads_of(options, true), interrupt.flag(), *ranks);
+    } else {
+      work(plan, desk, threads_of(options, false), interrupt.flag());
+    }
+    const bool whole = desk.delivered() == plan.ensemble().runs();
+    collector.end(whole);
+    return whole ? ExitStatus::done : ended_by(interrupt.signal());
+  } catch (...) {
+    if (ranks != nullptr && !led) dismiss(*ranks);
+    throw;
+  }
+}
+
+ExitStatus sweep_for_another(const SweepOptions& options, const Console& console, const Ranks& ranks) {
+  Interrupt interrupt;
+  try {
+    follow(options, threads_of(options, true), interrupt.flag(), ranks);
+  } catch (const std::exception& error) {
+    console.err << "carom: process " << ranks.rank() << " of the sweep: " << error.what() << std::endl;
+    ranks.abort();
+  }
+  return ExitStatus::done;
 }
 
 }  // namespace
@@ -122,18 +166,9 @@ CLI::App* add_sweep_command(CLI::App& program, SweepOptions& options) {
 }
 
 ExitStatus sweep(const SweepOptions& options, const Console& console) {
-  if (options.resume && options.out.empty())
-    throw InputError(Problem{"", 0, "--resume without --out", "it goes on with the rows in a folder", "Name it: --out DIR"});
-  const SweepPlan plan(options);
-  if (plan.names_files() && !options.quiet)
-    console.err << "carom: the scene's files under [output] are not written in a sweep; carom run writes those of one run.\n";
-  Interrupt interrupt;
-  Collector collector(options, plan, console);
-  SweepDesk desk(collector.found(), plan.ensemble().runs(), [&](const std::string& line) { collector.take(line); }, interrupt.flag());
-  work(plan, desk, threads_of(options), interrupt.flag());
-  const bool whole = desk.delivered() == plan.ensemble().runs();
-  collector.end(whole);
-  return whole ? ExitStatus::done : ended_by(interrupt.signal());
+  const std::unique_ptr<Ranks> ranks = Ranks::begin();
+  if (ranks && ranks->rank() > 0) return sweep_for_another(options, console, *ranks);
+  return sweep_here(options, console, ranks.get());
 }
 
 }  // namespace carom::app

@@ -9,6 +9,7 @@ test_packages=(libgtest-dev libgmock-dev librapidcheck-dev
   gnuplot-nox  # draws for `carom plot`
   python3-h5py python3-ase)  # read what carom has written
 
+build_packages+=(libopenmpi-dev openmpi-bin)  # carom sweep under mpirun
 build_packages+=(libcpp-httplib-dev pkg-config)  # carom run --live
 # The page of `carom view` is bundled by node and npm and tested in chromium: from Debian unless they are there already.
 if ! command -v node > /dev/null || ! command -v npm > /dev/null; then build_packages+=(nodejs npm); fi

@@ -226,5 +226,27 @@ TEST(Sweep, is_whole_up_to_an_interrupt_and_goes_on_from_there) {
   EXPECT_TRUE(folder.read("i/runs.jsonl").starts_with(part));
 }
 
+// Four processes on one machine, one of which hands out the runs.
+TEST(Sweep, rows_do_not_depend_on_the_number_of_processes) {
+#ifdef CAROM_MPIRUN
+  const Folder folder;
+  folder.write("a.toml", sinai);
+  ASSERT_EQ(sweep(folder, {"--count", "150", "--out", "threads"}).status, 0);
+  const std::string mpirun = "cd '" + folder.path().string() +
+                             "' && OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 "
+                             "timeout 120 '" CAROM_MPIRUN "' -n 4 '" CAROM_PROGRAM "' ";
+  const std::string command =
+      mpirun + "sweep a.toml --vary ball.0=random --vary 'ball.1.radius=[0.1, 0.3]' --count 150 --json --out ranks > out.json";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  EXPECT_EQ(folder.read("ranks/runs.jsonl"), folder.read("threads/runs.jsonl"));
+  EXPECT_EQ(folder.read("ranks/runs.csv"), folder.read("threads/runs.csv"));
+  EXPECT_EQ(Json::parse(folder.read("out.json"))["runs"], 300) << "one process speaks";
+  EXPECT_NE(std::system((mpirun + "sweep none.toml --vary ball.0=random > none.txt 2>&1").c_str()), 0);
+  EXPECT_EQ(test::split(folder.read("none.txt"), '\n').at(0).find("carom: cannot read the scene file"), 0U) << folder.read("none.txt");
+#else
+  GTEST_SKIP() << "carom was built without MPI";
+#endif
+}
+
 }  // namespace
 }  // namespace carom
