@@ -18,7 +18,7 @@ namespace {
 /// Spheres that the loop knows: at rest, and no vertices.
 template <int D>
 bool is_plain(const Sphere<double, D>& sphere) {
-  return sphere.radius > 0 && sphere.velocity == Vec<double, D>::Zero();
+  return sphere.radius > 0 && sphere.velocity == Vec<double, D>::Zero() && sphere.swing < 0;
 }
 
 /// Calls f for every piece of every wall that the loop does not know.
