@@ -109,6 +109,12 @@ CAROM_INLINE Lanes least(const Lanes& a, const Lanes& b) { return a < b ? a : b;
 CAROM_INLINE Lanes most(const Lanes& a, const Lanes& b) { return a < b ? b : a; }
 #endif
 
+/// The least of four, in every lane.
+CAROM_INLINE Lanes least_of(const Lanes& x) {
+  const Lanes halves = least(x, __builtin_shufflevector(x, x, 2, 3, 0, 1));
+  return least(halves, __builtin_shufflevector(halves, halves, 1, 0, 3, 2));
+}
+
 /// The lanes 0 .. 3 in the order of x, which are positive and finite; those that differ in their last two bits alone in any.
 CAROM_INLINE LaneMask in_order(const Lanes& x) {
   // A positive double with another in its last two bits is a key that carries its lane.
