@@ -49,7 +49,7 @@ Paths paths_of(const Json& scene, std::string_view start, std::string_view chunk
       paths.period[k] = scene["space"]["upper"][k].get<double>() - paths.lower[k];
     }
   for (std::size_t i = 0; i < N; ++i) {
-    Flight f{paths.start, {}, {}, {}, s[2 * N * D + i]};
+    Flight f{paths.start, {}, {}, {}, s[2 * N * D + i], scene.value("magnetic", 0.0)};
     for (std::size_t k = 0; k < D; ++k) {
       f.x[k] = s[i * D + k];
       f.v[k] = s[N * D + i * D + k];

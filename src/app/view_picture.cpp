@@ -104,12 +104,21 @@ class Svg {
   [[nodiscard]] const std::string& text() const { return text_; }
 
  private:
-  /// `drift`: the velocity of a wall that moves.
-  [[nodiscard]] Point at(const Json& x, const Json& drift = {}) const {
+  [[nodiscard]] Point at(const Json& x, const Point& drift = {}) const {
     Point p{};
-    for (std::size_t k = 0; k < x.size(); ++k)
-      p[k] = x[k].get<double>() + (drift.is_array() ? drift[k].get<double>() * (paths_.now - paths_.start) : 0.0);
+    for (std::size_t k = 0; k < x.size(); ++k) p[k] = x[k].get<double>() + drift[k];
     return view_.place(p, paths_.now);
+  }
+  /// Where a wall that moves or swings is, from where the scene puts it.
+  [[nodiscard]] Point drift_of(const Json& w) const {
+    Point d{};
+    const Json velocity = w.value("velocity", Json::array());
+    for (std::size_t k = 0; k < velocity.size(); ++k) d[k] = velocity[k].get<double>() * (paths_.now - paths_.start);
+    if (!w.contains("oscillation")) return d;
+    const Json &o = w["oscillation"], &amplitude = o["amplitude"];
+    const double swung = std::sin(o["omega"].get<double>() * paths_.now + o["phase"].get<double>());
+    for (std::size_t k = 0; k < amplitude.size(); ++k) d[k] += amplitude[k].get<double>() * swung;
+    return d;
   }
   void line(const Point& a, const Point& b) {
     text_ += fmt::format("<path class=\"wall\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>", a[0], a[1], b[0], b[1]);
@@ -167,7 +176,7 @@ class Svg {
   /// Where balls leave, the line is dashed.
   void draw_wall(const Json& w, const Json& space) {
     if (w["kind"] == "plane") {
-      const Point p = at(w["point"], w.value("velocity", Json()));
+      const Point p = at(w["point"], drift_of(w));
       const double nx = w["normal"][0], ny = w["normal"][1], n = std::hypot(nx, ny), far = 1e3 / n;
       return line({p[0] - ny * far, p[1] - nx * far, 0}, {p[0] + ny * far, p[1] + nx * far, 0});
     }
@@ -176,9 +185,8 @@ class Svg {
     const std::string side = opening ? "" : w.value("side", "");
     const char* classes = side == "outside" ? "wall back" : side == "inside" || (w["kind"] == "polygon" && !opening) ? "wall in" : "wall";
     for (const Place& shift : shifts_into(space, points)) {
-      Place moved = shift;
-      if (w.contains("velocity"))
-        for (std::size_t k = 0; k < 2; ++k) moved[k] += w["velocity"][k].get<double>() * (paths_.now - paths_.start);
+      const Point drift = drift_of(w);
+      const Place moved{shift[0] + drift[0], shift[1] + drift[1]};
       draw_path(classes, opening ? " stroke-dasharray=\"5 4\"" : "", points, moved);
     }
   }
@@ -219,8 +227,10 @@ class Svg {
   /// The moments between which a flight is drawn as a straight line inside one cell; a curved one in equal pieces.
   [[nodiscard]] std::vector<double> cuts(const Flight& f, double until) const {
     std::vector<double> times{f.time, until};
-    const bool curved = f.a != Point{};
-    for (int p = 1; curved && p < pieces; ++p) times.push_back(f.time + (until - f.time) * p / pieces);
+    const bool curved = f.a != Point{} || f.magnetic != 0;
+    const double turn = std::fabs(f.magnetic) * (until - f.time);  // [rad]
+    const int parts = f.magnetic != 0 ? 1 + static_cast<int>(std::min(200.0, 4 * turn)) : pieces;
+    for (int p = 1; curved && p < parts; ++p) times.push_back(f.time + (until - f.time) * p / parts);
     for (std::size_t k = 0; !curved && k < 3; ++k) {
       if (!(paths_.period[k] > 0) || f.v[k] == 0) continue;
       const double from = (f.x[k] - paths_.lower[k]) / paths_.period[k], by = f.v[k] * (until - f.time) / paths_.period[k];

@@ -70,6 +70,10 @@ Json wall(const WallSpec& w) {
   if (!w.velocity.empty()) j["velocity"] = numbers(w.velocity);
   if (w.opening) j["opening"] = true;
   if (w.table >= 0) j["table"] = w.table;
+  if (w.oscillation)
+    j["oscillation"] = {{"amplitude", numbers(w.oscillation->amplitude)},
+                        {"omega", w.oscillation->omega.value},
+                        {"phase", w.oscillation->phase.value}};
   return j;
 }
 
@@ -100,6 +104,7 @@ Json replay_scene(const Scene& scene, const Simulation& simulation) {
          {"dimension", scene.dimension},
          {"space", space(scene, simulation)},
          {"acceleration", numbers(scene.motion.acceleration)},
+         {"magnetic", scene.motion.magnetic ? scene.motion.magnetic->value : 0.0},
          {"law", word(scene.collision.law)},
          {"start", simulation.time().value},
          {"until", scene.run.until ? Json(scene.run.until->value) : Json(nullptr)},

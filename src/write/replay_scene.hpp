@@ -9,7 +9,7 @@
 
 namespace carom {
 
-/// title, dimension, space {kind, lower, upper}, acceleration, law, start, until and events (null: not given), walls as in
+/// title, dimension, space {kind, lower, upper}, acceleration, magnetic (cyclotron frequency), law, start, until and events (null: not given), walls as in
 /// the scene, wall_labels by number, names {number: name}, balls (how many). `simulation` is at the start.
 [[nodiscard]] Json replay_scene(const Scene& scene, const Simulation& simulation);
 

@@ -1,4 +1,5 @@
-// Where every ball is at a moment, in closed form: x + v s + a s^2 / 2 from its last change of motion.
+// Where every ball is at a moment, in closed form from its last change of motion: x + v s + a s^2 / 2, or in a magnetic field
+// of cyclotron frequency w on the circle x + (2 / w) sin(h) R(h) v, h = w s / 2.
 //
 // A moment is the unevaluated sum of two doubles, as the times of the log are: a flight time s is rounded once, however late
 // the moment and however slow the motion that is shown.
@@ -16,6 +17,7 @@ export class Replay {
     this.start = scene.start;
     this.growth = scene.radius_growth ?? null; // rates by ball
     this.acceleration = [0, 1, 2].map((k) => scene.acceleration[k] ?? 0);
+    this.magnetic = scene.magnetic ?? 0; // a ball at rest stays so, fixed or not
     const periodic = scene.space.kind === 'periodic';
     this.period = [0, 1, 2].map((k) => (periodic && k < log.dimension ? scene.space.upper[k] - scene.space.lower[k] : 0));
     this.lower = [0, 1, 2].map((k) => (periodic ? scene.space.lower[k] ?? 0 : 0));
@@ -96,15 +98,27 @@ export class Replay {
     return this.log.fixed[i] ? 0 : this.acceleration[k];
   }
 
+  /** Stored velocity of ball i, turned by an angle; component k. */
+  turnedVelocity(i, c, k, angle) {
+    const {log} = this, all = c < 0 ? log.startVelocity : log.velocity, at = 2 * (c < 0 ? i : c);
+    const other = k === 0 ? -all[at + 1] : all[at];
+    return Math.cos(angle) * all[at + k] + Math.sin(angle) * other;
+  }
+
   /** Coordinate k of ball i, s after change c; not wrapped. */
   coordinate(i, c, k, s) {
     const {log} = this, D = log.dimension;
     const x = c < 0 ? log.startPosition[i * D + k] : log.position[c * D + k];
+    if (this.magnetic !== 0) {
+      const half = (this.magnetic * s) / 2;
+      return x + ((2 * Math.sin(half)) / this.magnetic) * this.turnedVelocity(i, c, k, half);
+    }
     const v = c < 0 ? log.startVelocity[i * D + k] : log.velocity[c * D + k];
     return x + s * (v + 0.5 * s * this.accelerationOf(i, c, k));
   }
   speedComponent(i, c, k, s) {
     const {log} = this, D = log.dimension;
+    if (this.magnetic !== 0) return this.turnedVelocity(i, c, k, this.magnetic * s);
     return (c < 0 ? log.startVelocity[i * D + k] : log.velocity[c * D + k]) + s * this.accelerationOf(i, c, k);
   }
 
@@ -173,7 +187,8 @@ export class Replay {
     const curved = [0, 1, 2].some((k) => this.accelerationOf(i, c, k) !== 0);
     for (let n = 0; n < most; ++n) {
       const from = Math.max(0, until - left);
-      const pieces = curved ? 12 : this.period[0] > 0 ? 2 : 1;
+      const pieces = this.magnetic !== 0 ? 1 + Math.min(200, Math.ceil(Math.abs(this.magnetic) * (until - from) * 4))
+        : curved ? 12 : this.period[0] > 0 ? 2 : 1;
       for (let p = 0; p < pieces; ++p) {
         const s0 = until - ((until - from) * p) / pieces, s1 = until - ((until - from) * (p + 1)) / pieces;
         const a = [0, 0, 0], b = [0, 0, 0];

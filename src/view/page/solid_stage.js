@@ -5,6 +5,7 @@ import {AmbientLight, BoxGeometry, BufferAttribute, BufferGeometry, Color, ConeG
 import {OrbitControls} from 'three/addons/controls/OrbitControls.js';
 import {extentOf} from './extent.js';
 import {KIND} from './log.js';
+import {drift} from './walls.js';
 
 const MOST_ARROWS = 20000;
 
@@ -63,7 +64,7 @@ export class SolidStage {
         mesh.lookAt(new Vector3(...wall.point).add(new Vector3(...wall.normal)));
       }
       if (!mesh) continue;
-      mesh.userData = {at: mesh.position.clone(), velocity: wall.velocity ?? [0, 0, 0]};
+      mesh.userData = {at: mesh.position.clone(), wall};
       this.walls.push(mesh);
       this.world.add(mesh);
     }
@@ -182,8 +183,10 @@ export class SolidStage {
     const {replay, options, colours} = this;
     this.renderer.setClearColor(colours.page.stage);
     if (this.frame) this.frame.material.color.set(colours.page.wall);
-    const s = replay.hi - replay.start;
-    for (const wall of this.walls) wall.position.set(...wall.userData.at.toArray().map((x, k) => x + wall.userData.velocity[k] * s));
+    for (const mesh of this.walls) {
+      const d = drift(mesh.userData.wall, replay);
+      mesh.position.set(...mesh.userData.at.toArray().map((x, k) => x + d[k]));
+    }
     this.placeBalls();
     if (options.following >= 0) {
       const x = new Vector3(...replay.position(options.following));

@@ -2,10 +2,11 @@
 
 import {isClosed, outlinesOf, pointsOf, shiftsOf} from './wall_shapes.js';
 
-/** Where a wall that moves is now, from where the scene puts it. */
-function drift(wall, replay) {
-  const s = replay.hi - replay.start + replay.lo;
-  return [0, 1, 2].map((k) => (wall.velocity?.[k] ?? 0) * s);
+/** Where a wall that moves or swings is now, from where the scene puts it. */
+export function drift(wall, replay) {
+  const s = replay.hi - replay.start + replay.lo, o = wall.oscillation;
+  const swung = o ? Math.sin(o.omega * (replay.hi + replay.lo) + o.phase) : 0;
+  return [0, 1, 2].map((k) => (wall.velocity?.[k] ?? 0) * s + (o ? (o.amplitude[k] ?? 0) * swung : 0));
 }
 
 export function wallPaths(g, stage) {
