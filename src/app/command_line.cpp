@@ -14,7 +14,6 @@
 #include "manual.hpp"
 #include "scene/words.hpp"
 #include "shell_commands.hpp"
-#include "unbuilt_commands.hpp"
 
 namespace carom::app {
 
@@ -36,6 +35,7 @@ class Parser {
     view_command_ = add_view_command(program_, view_);
     plot_command_ = add_plot_command(program_, plot_);
     sweep_command_ = add_sweep_command(program_, sweep_);
+    orbit_command_ = add_orbit_command(program_, orbit_);
     completion_command_ = add_completion_command(program_, completion_);
     man_command_ = add_man_command(program_);
   }
@@ -59,6 +59,7 @@ class Parser {
     if (view_command_->parsed()) return view_;
     if (plot_command_->parsed()) return plot_;
     if (sweep_command_->parsed()) return sweep_;
+    if (orbit_command_->parsed()) return orbit_;
     if (completion_command_->parsed()) return Answer{ExitStatus::done, completion_script(command_tree(program_), completion_.shell)};
     if (man_command_->parsed()) return Answer{ExitStatus::done, manual_page(command_tree(program_))};
     return Answer{ExitStatus::wrong_input, "carom: a command is missing. See carom --help\n"};
@@ -75,7 +76,6 @@ class Parser {
   }
 
   [[nodiscard]] Answer refuse(const std::string& word) const {
-    if (is_unbuilt_command(word)) return {ExitStatus::wrong_input, "carom: command " + word + ": not built yet. What there is: carom --help\n"};
     const auto list = commands();
     std::vector<std::string> names;
     for (const CLI::App* command : list) names.push_back(command->get_name());
@@ -106,9 +106,10 @@ class Parser {
   ViewOptions view_;
   PlotOptions plot_;
   SweepOptions sweep_;
+  OrbitOptions orbit_;
   CompletionOptions completion_;
   CLI::App *run_command_, *check_command_, *compare_command_, *convert_command_, *explain_command_, *new_command_, *bench_command_,
-      *certify_command_, *view_command_, *plot_command_, *sweep_command_, *completion_command_, *man_command_;
+      *certify_command_, *view_command_, *plot_command_, *sweep_command_, *orbit_command_, *completion_command_, *man_command_;
 };
 
 ExitStatus carry_out(const Answer& answer, const Console& console) {
@@ -126,6 +127,7 @@ ExitStatus carry_out(const BenchOptions& options, const Console& console) { retu
 ExitStatus carry_out(const ViewOptions& options, const Console& console) { return view(options, console); }
 ExitStatus carry_out(const PlotOptions& options, const Console& console) { return plot(options, console); }
 ExitStatus carry_out(const SweepOptions& options, const Console& console) { return sweep(options, console); }
+ExitStatus carry_out(const OrbitOptions& options, const Console& console) { return orbit(options, console); }
 
 ExitStatus carry_out_any(const Command& command, const Console& console) {
   const ExitStatus status = std::visit([&](const auto& c) { return carry_out(c, console); }, command);

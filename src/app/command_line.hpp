@@ -14,6 +14,7 @@
 #include "exit_status.hpp"
 #include "explain_command.hpp"
 #include "new_command.hpp"
+#include "orbit_command.hpp"
 #include "plot_command.hpp"
 #include "run_command.hpp"
 #include "sweep_command.hpp"
@@ -28,7 +29,8 @@ struct Answer {
 };
 
 using Command = std::variant<Answer, RunOptions, CheckOptions, CompareOptions, ConvertOptions, ExplainOptions, NewOptions, PlotOptions,
-                             BenchOptions, CertifyOptions, ViewOptions, SweepOptions>;
+                             BenchOptions, CertifyOptions, ViewOptions, SweepOptions,
+                             OrbitOptions>;
 
 /// `words` are the arguments without the program's name.
 [[nodiscard]] Command parse(const std::vector<std::string>& words);

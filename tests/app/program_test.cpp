@@ -57,15 +57,6 @@ TEST(Program, refuses_wrong_command_lines_with_status_2) {
   EXPECT_THAT(carom(folder, {"rnu"}).err, HasSubstr("Did you mean \"run\"?"));
 }
 
-TEST(Program, refuses_by_name_what_is_not_built) {
-  const Folder folder;
-  folder.write("a.toml", test::head_on(2));
-  const test::Outcome o = carom(folder, {"orbit", "a.toml"});
-  EXPECT_EQ(o.status, 2);
-  EXPECT_EQ(o.out, "");
-  EXPECT_THAT(o.err, HasSubstr("not built yet"));
-}
-
 // Head-on at e = 1, equal masses: whole numbers, in any arithmetic. With digits they are strings.
 TEST(Program, runs_in_the_precision_asked_for) {
   const Folder folder;
