@@ -15,6 +15,7 @@
 #include "carom/search/cell_grid.hpp"
 #include "composed_engine.hpp"
 #include "engine.hpp"
+#include "few_engine.hpp"
 
 namespace carom {
 

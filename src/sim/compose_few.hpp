@@ -6,7 +6,7 @@
 #include "carom/search/all_pairs.hpp"
 #include "carom/search/cell_grid.hpp"
 #include "composed_engine.hpp"
-#include "engine.hpp"
+#include "few_engine.hpp"
 #include "few_integrator.hpp"
 
 namespace carom {
@@ -15,7 +15,8 @@ template <int D>
 bool few_fits(const World<double, D>& world) {
   if (world.law != LawKind::restitution || world.simultaneous != Simultaneous::sequential || world.accelerated()) return false;
   if (world.balls.size() > few_balls || !world.bodies.empty()) return false;
-  if (!world.walls.openings.empty() || (world.space.periodic() && !world.walls.empty())) return false;
+  if (!world.walls.openings.empty() || !world.walls.swings.empty()) return false;
+  if (world.space.periodic() && !world.walls.empty()) return false;
   double largest = 0;  // distance at which two balls meet
   for (std::size_t i = 0; i < world.balls.size(); ++i) {
     if (!world.balls[i].alive) return false;
@@ -36,7 +37,7 @@ std::unique_ptr<Simulation::Engine> make_few_engine(const Scene& scene, World<do
   composition.queue = "table of meetings";
   composition.reasons.push_back(fmt::format("all pairs: {} balls, nothing to keep", world.balls.size()));
   if (periodic) composition.reasons.push_back("images of a partner in the order in which its path comes to them");
-  composition.reasons.push_back("table of meetings: one entry a pair, so none is predicted twice, and the first is found by looking at all");
+  composition.reasons.push_back("table of meetings: one entry a pair; the first is found by looking at all");
   const FreeFlight<double, D> motion;
   const auto make = [&]<class Search>(Search search) -> std::unique_ptr<Simulation::Engine> {
     using Integrator = FewIntegrator<D, Search>;

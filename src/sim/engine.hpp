@@ -72,14 +72,6 @@ template <int D>
 [[nodiscard]] std::unique_ptr<Simulation::Engine> make_swarm_engine(const Scene& scene, World<double, D> world,
                                                                     Composition composition);
 
-/// True if the integrator for few balls can move this world: lone balls in free flight, law "restitution", contacts one by
-/// one, infinite masses at rest, no openings; a periodic space without walls, in which columns of images lie apart.
-template <int D>
-[[nodiscard]] bool few_fits(const World<double, D>& world);
-template <int D>
-[[nodiscard]] std::unique_ptr<Simulation::Engine> make_few_engine(const Scene& scene, World<double, D> world,
-                                                                  Composition composition);
-
 /// The compositions of one dimension.
 template <int D>
 [[nodiscard]] std::unique_ptr<Simulation::Engine> make_engine(const Scene& scene);
@@ -110,11 +102,6 @@ extern template bool swarm_fits(const World<double, 2>&);
 extern template bool swarm_fits(const World<double, 3>&);
 extern template std::unique_ptr<Simulation::Engine> make_swarm_engine(const Scene&, World<double, 2>, Composition);
 extern template std::unique_ptr<Simulation::Engine> make_swarm_engine(const Scene&, World<double, 3>, Composition);
-
-extern template bool few_fits(const World<double, 2>&);
-extern template bool few_fits(const World<double, 3>&);
-extern template std::unique_ptr<Simulation::Engine> make_few_engine(const Scene&, World<double, 2>, Composition);
-extern template std::unique_ptr<Simulation::Engine> make_few_engine(const Scene&, World<double, 3>, Composition);
 
 extern template std::unique_ptr<Simulation::Engine> make_reference_engine<1>(const Scene&);
 extern template std::unique_ptr<Simulation::Engine> make_reference_engine<2>(const Scene&);

@@ -7,6 +7,7 @@
 #include "carom/predict/ball_ball.hpp"
 #include "carom/predict/ball_wall.hpp"
 #include "carom/predict/lattice_ray.hpp"
+#include "carom/world/wall_motion.hpp"
 #include "few_targets.hpp"
 
 namespace carom {
@@ -17,8 +18,8 @@ namespace {
 
 /// Spheres that the loop knows: at rest, and no vertices.
 template <int D>
-bool is_plain(const Sphere<double, D>& sphere) {
-  return sphere.radius > 0 && sphere.velocity == Vec<double, D>::Zero() && sphere.swing < 0;
+bool is_plain(const World<double, D>& world, const Sphere<double, D>& sphere) {
+  return sphere.radius > 0 && !moves(world.walls, sphere);
 }
 
 /// Calls f for every piece of every wall that the loop does not know.
@@ -27,7 +28,7 @@ void for_each_other(const World<double, D>& world, F&& f) {
   world.walls.for_each([&](const auto& shape) {
     using Shape = std::remove_cvref_t<decltype(shape)>;
     if constexpr (std::is_same_v<Shape, Sphere<double, D>>) {
-      if (!is_plain(shape)) f(shape);
+      if (!is_plain(world, shape)) f(shape);
     } else if constexpr (!std::is_same_v<Shape, Face<double, D>>) {
       f(shape);
     }
@@ -49,7 +50,7 @@ void plan_walls(FewRun<D>& run, const World<double, D>& world) {
   }
   run.spheres.clear();
   for (std::size_t s = 0; s < world.walls.spheres.size(); ++s)
-    if (is_plain(world.walls.spheres[s])) run.spheres.push_back(static_cast<std::uint32_t>(s));
+    if (is_plain(world, world.walls.spheres[s])) run.spheres.push_back(static_cast<std::uint32_t>(s));
   run.other_walls = false;
   for_each_other(world, [&](const auto&) { run.other_walls = true; });
   for (std::size_t i = 0; i < world.balls.size(); ++i) {

@@ -1,6 +1,6 @@
 #pragma once
 // The elastic impact of two bodies whose masses and distance at contact are known beforehand: the velocities of
-// resolve_impact, in a fifth of its time.
+// resolve_impact, by a shorter way.
 
 #include "carom/core/double_double.hpp"
 #include "carom/core/lanes.hpp"
@@ -14,7 +14,7 @@ struct ElasticPair {
   DoubleDouble square;          ///< sigma^2
   double per_square = 0;        ///< 1 / sigma^2
   DoubleDouble push_a, push_b;  ///< 2 s / sigma^2, s the share of the change of relative velocity that a body takes
-  double doubt = 0;             ///< what two evaluations of a velocity can differ by, over the speeds before [papers/impact.md, eq. 8]
+  double doubt = 0;             ///< what two evaluations of a velocity differ by at most, over the speeds before
 };
 
 /// Places of partners are known to 2^-105 of the lengths that they are differences of, `extent` at most.
@@ -33,7 +33,7 @@ struct ElasticPair {
 /// r = high + low is the way from a's centre to b's, |low| <= 2^-50 of what it is a difference of. `excess` is r.r - sigma^2.
 ///
 /// r.r differs from sigma^2 by rounding only, so 1 / r.r = (1 - d) / sigma^2 with d = excess / sigma^2, and nothing is divided
-/// [papers/impact.md, eq. 7]. High and low parts are not normalised on the way; the sum is rounded once, and taken if all that
+/// [papers/impact.md, eq. 10]. High and low parts are not normalised on the way; the sum is rounded once, and taken if all that
 /// lies within the errors of this evaluation and of the other is rounded to the same double [Ziv1991].
 template <int D>
 [[nodiscard]] CAROM_INLINE bool elastic_impact(const ElasticPair& pair, const double* high, const double* low, const double* va,
