@@ -70,11 +70,12 @@ BenchResult bench(const BenchCase& c) {
   const bool fresh = forget_peak_memory();
   const double before_mb = peak_memory_mb();
   const double begin = processor_seconds();
-  Simulation simulation(gas(c));
+  Simulation simulation(c.scene ? *c.scene : gas(c));
   simulation.advance(std::nullopt, 1);
   result.start_seconds = processor_seconds() - begin;
   result.composition = simulation.composition().text();
-  result.warm_up_collisions = std::llround(c.warm_up * static_cast<double>(c.balls) / 2);
+  result.balls = simulation.ball_count();
+  result.warm_up_collisions = std::llround(c.warm_up * static_cast<double>(result.balls) / 2);
   simulation.advance(std::nullopt, result.warm_up_collisions);
 
   const std::int64_t collisions = collisions_for(simulation, c.seconds / c.windows);
@@ -90,7 +91,7 @@ BenchResult bench(const BenchCase& c) {
   if (predicted)
     result.predictions = static_cast<double>(*simulation.predictions() - *predicted) /
                          static_cast<double>(simulation.counts().collisions() - from);
-  if (fresh) result.bytes_per_ball = (peak_memory_mb() - before_mb) * 1048576 / static_cast<double>(c.balls);
+  if (fresh) result.bytes_per_ball = (peak_memory_mb() - before_mb) * 1048576 / static_cast<double>(result.balls);
   return result;
 }
 

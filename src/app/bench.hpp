@@ -9,8 +9,9 @@
 
 namespace carom::app {
 
-/// One measurement: a gas of elastic balls, warmed up, then watched in windows.
+/// One measurement: a scene, or a gas of elastic balls, warmed up, then watched in windows.
 struct BenchCase {
+  std::optional<Scene> scene;  ///< none: the gas that follows
   int dimension = 3;
   std::int64_t balls = 1000;
   double packing = 0.49;       ///< [-]
@@ -23,6 +24,7 @@ struct BenchCase {
 
 struct BenchResult {
   std::string composition;
+  std::int64_t balls = 0;
   double start_seconds = 0.0;           ///< processor time until the gas stands and its first events are queued
   std::int64_t warm_up_collisions = 0;
   double median = 0.0, lowest = 0.0, highest = 0.0;  ///< collisions a second of processor time, over the windows

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "carom/core/error.hpp"
+#include "carom/scene/read.hpp"
 #include "scene/keywords.hpp"
 #include "scene/words.hpp"
 #include "write/json_text.hpp"
@@ -21,8 +22,26 @@ E choice(const char* option, const std::string& word, std::span<const scene_text
                            scene_text::suggestion(word, known)});
 }
 
-/// The measurements asked for, packing by packing and from few balls to many.
+EngineSpec engine_of(const BenchOptions& options, EngineSpec engine) {
+  if (!options.search.empty()) engine.search = choice<SearchKind>("--search", options.search, scene_text::search_kinds);
+  if (!options.queue.empty()) engine.queue = choice<QueueKind>("--queue", options.queue, scene_text::queue_kinds);
+  return engine;
+}
+
+std::vector<BenchCase> scenes(const BenchOptions& options) {
+  std::vector<BenchCase> list;
+  for (const std::string& file : options.scenes) {
+    BenchCase& c = list.emplace_back(options.common);
+    c.scene = read_scene_file(file);
+    c.scene->engine = engine_of(options, c.scene->engine);
+    c.dimension = c.scene->dimension;
+  }
+  return list;
+}
+
+/// The measurements asked for: scenes, or gases packing by packing and from few balls to many.
 std::vector<BenchCase> cases(const BenchOptions& options) {
+  if (!options.scenes.empty()) return scenes(options);
   std::vector<double> packing = options.packing;
   const int d = options.common.dimension;
   if (packing.empty()) packing = d == 3 ? std::vector{0.49, 0.3} : d == 2 ? std::vector{0.65, 0.3} : std::vector{0.3};
@@ -32,9 +51,7 @@ std::vector<BenchCase> cases(const BenchOptions& options) {
       BenchCase& c = list.emplace_back(options.common);
       c.balls = n;
       c.packing = phi;
-      if (!options.search.empty())
-        c.engine.search = choice<SearchKind>("--search", options.search, scene_text::search_kinds);
-      if (!options.queue.empty()) c.engine.queue = choice<QueueKind>("--queue", options.queue, scene_text::queue_kinds);
+      c.engine = engine_of(options, c.engine);
     }
   return list;
 }
@@ -42,8 +59,9 @@ std::vector<BenchCase> cases(const BenchOptions& options) {
 Json row_of(const BenchCase& c, const BenchResult& r) {
   const auto number = [](const std::optional<double>& x) { return x ? Json(*x) : Json(nullptr); };
   return {{"dimension", c.dimension},
-          {"packing_fraction", c.packing},
-          {"balls", c.balls},
+          {"scene", c.scene ? Json(c.scene->file) : Json(nullptr)},
+          {"packing_fraction", c.scene ? Json(nullptr) : Json(c.packing)},
+          {"balls", r.balls},
           {"composition", r.composition},
           {"collisions_per_second", r.median},
           {"lowest", r.lowest},
@@ -60,9 +78,11 @@ void print(std::ostream& out, const BenchCase& c, const BenchResult& r) {
   const auto number = [](const char* format, const std::optional<double>& x) {
     return x ? fmt::format(fmt::runtime(format), *x) : std::string("-");
   };
-  out << fmt::format("{:>2}-D {:>7.3g} {:>10} {:>10.3g} {:>9.3g} {:>9.3g} {:>9.0f} {:>9} {:>10} {:>8.2f}  {}\n", c.dimension,
-                     c.packing, c.balls, r.median, r.lowest, r.highest, 1e9 / r.median, number("{:.1f}", r.predictions),
-                     number("{:.0f}", r.bytes_per_ball), r.start_seconds, r.composition);
+  out << fmt::format("{:>2}-D {:>7} {:>10} {:>10.3g} {:>9.3g} {:>9.3g} {:>9.0f} {:>9} {:>10} {:>8.2f}  {}{}\n", c.dimension,
+                     c.scene ? std::string("-") : fmt::format("{:.3g}", c.packing), r.balls, r.median, r.lowest, r.highest,
+                     1e9 / r.median, number("{:.1f}", r.predictions),
+                     number("{:.0f}", r.bytes_per_ball), r.start_seconds, r.composition,
+                     c.scene ? ": " + c.scene->file : std::string());
   out.flush();
 }
 
@@ -77,6 +97,7 @@ CLI::App* add_bench_command(CLI::App& program, BenchOptions& options) {
   command->add_option("--packing", options.packing, "Packing fractions, 0.49,0.3 if not given (0.65,0.3 in 2-D)")
       ->delimiter(',')
       ->type_name("PHI,...");
+  command->add_option("--scene", options.scenes, "Scenes to measure in the place of gases")->type_name("FILE ...");
   BenchCase& c = options.common;
   command->add_option("--dimension", c.dimension, "1, 2 or 3")->check(CLI::Range(1, 3))->capture_default_str();
   command->add_option("--warm-up", c.warm_up, "Collisions of each ball before measuring")
@@ -94,9 +115,9 @@ CLI::App* add_bench_command(CLI::App& program, BenchOptions& options) {
   command->add_flag("--json", options.json, "Prints one JSON object");
   command->footer(
       "Example:\n  carom bench --balls 1000,1000000 --packing 0.49 --json\n\n"
-      "Each row is a gas of elastic disks or spheres in a periodic cell, warmed up first. Seconds are processor time of the\n"
-      "one thread that works; low and high are the slowest and the fastest window; bytes are the growth of the peak of the\n"
-      "resident memory; start is the time until the first collision.");
+      "Each row is a scene, or a gas of elastic disks or spheres in a periodic cell, warmed up first. Seconds are processor\n"
+      "time of the one thread that works; low and high are the slowest and the fastest window; bytes are the growth of the\n"
+      "peak of the resident memory; start is the time until the first collision.");
   return command;
 }
 

@@ -14,6 +14,7 @@ namespace carom::app {
 struct BenchOptions {
   std::vector<std::int64_t> balls{1000, 10000, 100000};
   std::vector<double> packing;  ///< empty: 0.3 and 0.49 in 3-D, 0.3 and 0.65 in 2-D, 0.3 in 1-D
+  std::vector<std::string> scenes;  ///< files; if any, these are measured and no gases
   BenchCase common;
   std::string search, queue;    ///< empty: chosen by carom
   bool json = false;

@@ -52,6 +52,21 @@ TEST(Bench, prints_a_table) {
   EXPECT_TRUE(folder.files().size() == 2U) << "stdout and stderr; no file of its own";
 }
 
+TEST(Bench, measures_scenes) {
+  const Folder folder;
+  const std::string scene = std::string(CAROM_SOURCE_DIR) + "/examples/sinai_billiard/scene.toml";
+  const auto o = carom(folder, quick_with({"--scene", scene, "--json"}));
+  ASSERT_EQ(o.status, 0) << o.err;
+  const auto rows = nlohmann::json::parse(o.out)["rows"];
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(rows[0]["scene"], scene);
+  EXPECT_EQ(rows[0]["balls"], 2);
+  EXPECT_GT(rows[0]["collisions_per_second"], 0);
+  EXPECT_TRUE(rows[0]["packing_fraction"].is_null());
+  const auto forced = carom(folder, quick_with({"--scene", scene, "--queue", "heap", "--json"}));
+  EXPECT_THAT(nlohmann::json::parse(forced.out)["rows"][0]["composition"], HasSubstr("heap"));
+}
+
 // 20000 balls: a position, a velocity and a queued event each take 100 bytes at least.
 TEST(Bench, counts_the_memory_of_each_row_anew) {
   const Folder folder;
