@@ -41,32 +41,40 @@ template <class Real>
   return {height, abs(height) <= doubt && short_of >= -doubt, abs(short_of) <= doubt};
 }
 
-/// In a space that is not periodic: a point stored next to a curve that it did not hit holds the side that it flew on, if its place alone does not say that
-/// side any more, or is at an end of the curve, where another piece may go on.
+/// In a space that is not periodic: a point stored next to a curve that it did not hit holds the side that it came from, if
+/// its place alone does not say that side any more, or is at an end of the curve, where another piece may go on.
 template <class Real, int D>
 class CurveSides {
  public:
   using WorldType = World<Real, D>;
+  using Vector = Vec<Real, D>;
 
   /// Called before the state of ball i, a point, is written ...
   void note(const WorldType& world, std::uint32_t i) {
     sides_.clear();
-    if (world.balls[i].radius > 0 || world.space.periodic()) return;
+    noted_ = !(world.balls[i].radius > 0) && !world.space.periodic();
+    if (!noted_) return;
+    velocity_ = world.balls[i].velocity;
+    time_ = world.balls[i].time;
     for_each_curve(world, [&](const auto& curve) {
       const Contact<D>* held = wall_contact(world, i, index(curve.wall), curve.feature);
-      const Real height = height_of(world, i, curve).height;
-      sides_.push_back(held != nullptr ? held->side : std::int8_t(height > 0 ? 1 : height < 0 ? -1 : 0));
+      sides_.push_back(held != nullptr ? held->side : std::int8_t(0));
     });
   }
-  /// ... and after it.
-  void keep(WorldType& world, std::uint32_t i) const {
-    if (sides_.empty()) return;
+  /// ... and after it. `normal` points away from what the ball has just hit, with any length.
+  void keep(WorldType& world, std::uint32_t i, const Vector& normal) const {
+    if (!noted_) return;
+    const Vector came = velocity_ + world.acceleration * elapsed(time_, world.balls[i].time);
     std::size_t k = 0;
     for_each_curve(world, [&](const auto& curve) {
-      const std::int8_t side = sides_[k++];
-      const CurveHeight<Real> now = height_of(world, i, curve);
-      if (side == 0 || !now.near || !(now.at_end || side * now.height <= 0)) return;
-      if (wall_contact(world, i, index(curve.wall), curve.feature) != nullptr) return;
+      const std::int8_t held = sides_[k++];
+      const Vector at = world.balls[i].position - curve.velocity * elapsed(world.start, world.balls[i].time);
+      const CurveHeight<Real> now = curve_height<Real>(curve, at, world.details[i].reach);
+      if (!now.near || wall_contact(world, i, index(curve.wall), curve.feature) != nullptr) return;
+      // A point at a curve has come from where it was not: down from the left, or from the right.
+      const Real rise = dot<Real, D>(curve.normal(at), Vector(came - curve.velocity));
+      const std::int8_t side = held != 0 ? held : std::int8_t(rise < 0 ? 1 : rise > 0 ? -1 : 0);
+      if (side == 0 || !(now.at_end ? in_reach(curve, at, normal) : side * now.height <= 0)) return;
       hold_contact(world, i, Contact<D>{Party::wall, index(curve.wall), curve.feature, {}, side, false, 0, 0});
     });
   }
@@ -77,13 +85,23 @@ class CurveSides {
     for (const auto& s : world.walls.arcs) f(s);
     for (const auto& s : world.walls.parabolas) f(s);
   }
-  template <class Shape>
-  [[nodiscard]] static CurveHeight<Real> height_of(const WorldType& world, std::uint32_t i, const Shape& shape) {
-    const Vec<Real, D> at = world.balls[i].position - shape.velocity * elapsed(world.start, world.balls[i].time);
-    return curve_height<Real>(shape, at, world.details[i].reach);
+  /// What runs away behind the surface that was hit is out of reach; where the pieces go on without a corner, none does.
+  [[nodiscard]] static bool in_reach(const Arc<Real>& arc, const Vector& at, const Vector& normal) {
+    if (arc.smooth_from || arc.smooth_to) return true;
+    const Vector there = arc.centre + arc.middle() * (arc.radius / length_of<Real>(arc.middle())) - at;
+    return dot<Real, D>(normal, Vector(arc.from - at)) > 0 || dot<Real, D>(normal, Vector(arc.to - at)) > 0 ||
+           dot<Real, D>(normal, there) > 0;
+  }
+  [[nodiscard]] static bool in_reach(const Parabola<Real>& parabola, const Vector& at, const Vector& normal) {
+    const Vector r = at - parabola.centre;
+    return dot<Real, D>(normal, Vector(parabola.place(parabola.begin()) - r)) > 0 ||
+           dot<Real, D>(normal, Vector(parabola.place(parabola.end()) - r)) > 0 || dot<Real, D>(normal, Vector(-r)) > 0;
   }
 
-  std::vector<std::int8_t> sides_;  // by curve
+  std::vector<std::int8_t> sides_;  // by curve: of a contact that it held
+  bool noted_ = false;
+  Vector velocity_ = Vector::Zero();
+  Time<Real> time_;
 };
 
 }  // namespace carom

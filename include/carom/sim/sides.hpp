@@ -43,7 +43,7 @@ class Sides {
   /// ... and after it. `normal` points away from what the ball has just hit, with any length.
   void keep(WorldType& world, std::uint32_t i, const Vec<Real, D>& normal) const {
     if constexpr (D == 2) {
-      curves_.keep(world, i);
+      curves_.keep(world, i, normal);
       if (world.space.periodic() && !(world.balls[i].radius > 0) && !(growth_of(world, i) > 0)) keep_in_periods(world, i, normal);
       for (std::size_t k = 0; k < sides_.size(); ++k) {
         const Segment<Real>& s = world.walls.segments[k];
