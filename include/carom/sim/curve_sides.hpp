@@ -64,7 +64,7 @@ class CurveSides {
   /// ... and after it. `normal` points away from what the ball has just hit, with any length.
   void keep(WorldType& world, std::uint32_t i, const Vector& normal) const {
     if (!noted_) return;
-    const Vector came = velocity_ + world.acceleration * elapsed(time_, world.balls[i].time);
+    const Vector came = velocity_then(world, elapsed(time_, world.balls[i].time));
     std::size_t k = 0;
     for_each_curve(world, [&](const auto& curve) {
       const std::int8_t held = sides_[k++];
@@ -80,6 +80,15 @@ class CurveSides {
   }
 
  private:
+  /// The velocity noted, after a flight of that length.
+  [[nodiscard]] Vector velocity_then(const WorldType& world, const Real& flight) const {
+    using std::cos;
+    using std::sin;
+    if (world.magnetic == 0) return velocity_ + world.acceleration * flight;
+    const Real angle = world.magnetic * flight, c = cos(angle), s = sin(angle);
+    return Vector(c * velocity_[0] - s * velocity_[1], s * velocity_[0] + c * velocity_[1]);
+  }
+
   template <class F>
   static void for_each_curve(const WorldType& world, F&& f) {
     for (const auto& s : world.walls.arcs) f(s);
