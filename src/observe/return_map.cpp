@@ -57,7 +57,7 @@ ReturnMap::ReturnMap(const Scene& scene, int digits)
     refuse(scene, "the scene has balls on a lattice or of a gas", "an orbit starts from balls that are written out", "Use [[ball]]");
   if (scene.collision.law != LawKind::restitution)
     refuse(scene, "balls that stick or merge", "they do not come back to their start");
-  if (std::any_of(scene.walls.begin(), scene.walls.end(), moves))
+  if (std::any_of(scene.walls.begin(), scene.walls.end(), [](const WallSpec& wall) { return moves(wall); }))
     refuse(scene, "a wall moves", "orbits are looked for among walls at rest");
   scene_.run = {};
   scene_.run.events = 0;
