@@ -24,6 +24,10 @@ class RepeatingPairs {
     return {};
   }
   template <class F>
+  void for_each_wall(const WorldType& world, std::uint32_t, F&& f) const {
+    for (int time = 0; time < 2; ++time) world.walls.for_each([&](const auto& shape) { f(shape, Image<D>{}); });
+  }
+  template <class F>
   void for_each_partner(const WorldType& world, std::uint32_t i, F&& f) const {
     for (int time = 0; time < 2; ++time)
       for (std::uint32_t j = static_cast<std::uint32_t>(world.balls.size()); j-- > 0;)
