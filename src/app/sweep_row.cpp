@@ -6,6 +6,7 @@
 #include "carom/core/error.hpp"
 #include "carom/observe/observers.hpp"
 #include "carom/observe/samplers.hpp"
+#include "carom/observe/survival.hpp"
 #include "carom/sim/simulation.hpp"
 #include "run_to_the_end.hpp"
 #include "write/summary_object.hpp"
@@ -57,6 +58,7 @@ std::optional<Json> carried_out(const SweepPlan& plan, Started& started, const s
   const Scene& scene = started.member.scene;
   Observers observers(scene, simulation);
   Samplers samplers(scene, simulation);
+  const Survival survival(scene, simulation);
   Watchers watchers;
   watchers.collision = observers.sink();
   if (samplers.any()) watchers.samplers = &samplers;
@@ -68,6 +70,7 @@ std::optional<Json> carried_out(const SweepPlan& plan, Started& started, const s
 
   Estimates observed = observers.estimates();
   for (Estimate& e : samplers.estimates()) observed.push_back(std::move(e));
+  for (Estimate& e : survival.estimates(simulation)) observed.push_back(std::move(e));
   Json j{{"outcome", s.stopped ? "stopped" : "done"}, {"stopped_by", word(s.stopped_by)}, {"time", s.time}};
   j["events"] = events_object(s.events);
   j["energy"] = {{"initial", s.energy.initial}, {"final", s.energy.final}, {"dissipated", s.energy.dissipated},

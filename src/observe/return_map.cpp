@@ -18,8 +18,8 @@ namespace {
 
 Multi digits_or(const std::string* text, double x) { return text != nullptr && !text->empty() ? Multi(*text) : Multi(x); }
 
-bool moves(const WallSpec& w) {
-  return w.oscillation || std::any_of(w.velocity.begin(), w.velocity.end(), [](const Number& v) { return v.value != 0; });
+bool is_at_rest(const WallSpec& w) {
+  return !w.oscillation && std::all_of(w.velocity.begin(), w.velocity.end(), [](const Number& v) { return v.value == 0; });
 }
 
 }  // namespace
@@ -57,7 +57,7 @@ ReturnMap::ReturnMap(const Scene& scene, int digits)
     refuse(scene, "the scene has balls on a lattice or of a gas", "an orbit starts from balls that are written out", "Use [[ball]]");
   if (scene.collision.law != LawKind::restitution)
     refuse(scene, "balls that stick or merge", "they do not come back to their start");
-  if (std::any_of(scene.walls.begin(), scene.walls.end(), [](const WallSpec& wall) { return moves(wall); }))
+  if (!std::all_of(scene.walls.begin(), scene.walls.end(), is_at_rest))
     refuse(scene, "a wall moves", "orbits are looked for among walls at rest");
   scene_.run = {};
   scene_.run.events = 0;
@@ -71,6 +71,7 @@ ReturnMap::ReturnMap(const Scene& scene, int digits)
   }
   for (std::uint32_t i = 0; i < scene.balls.size(); ++i) {
     const BallSpec& b = scene.balls[i];
+    if (b.radius_growth.value != 0) refuse(scene, "ball " + std::to_string(i) + " grows", "it does not come back to its size");
     if (b.fixed) continue;
     if (std::isinf(b.mass.value)) {
       const bool rests = std::all_of(b.velocity.begin(), b.velocity.end(), [](const Number& v) { return v.value == 0; });
