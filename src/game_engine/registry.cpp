@@ -141,8 +141,9 @@ std::unique_ptr<Stepper> make_game_engine(const Scene& scene, const GameEngineOp
           "Leave out \"threshold\"");
   if (options.threshold && (!(*options.threshold >= 0) || std::isinf(*options.threshold)))
     wrong(fmt::format("a threshold of {}", *options.threshold), "it is a speed, at least 0", "");
-  for (Problem& p : exact_only(scene)) problems.push_back(std::move(p));
-  if (!problems.empty()) throw InputError(problems);
+  const std::vector<Problem> beyond = exact_only(scene);
+  problems.insert(problems.end(), beyond.begin(), beyond.end());
+  if (!beyond.empty()) throw InputError(problems);
   game_engine::Layout layout;
   try {
     layout = game_engine::make_layout(scene, facts.size);

@@ -47,7 +47,7 @@ template <class Real>
       const Vec<Real, 2> r = b.centre - a.centre;
       const Real gap = sqrt(dot<Real, 2>(r, r));
       if (gap > far || gap > Real(nearly) * size(b)) continue;
-      const auto [first, second] = std::minmax(index(a.wall), index(b.wall));
+      const std::uint32_t first = std::min(index(a.wall), index(b.wall)), second = std::max(index(a.wall), index(b.wall));
       const double apart = static_cast<double>(scaled(gap, world.units.length));
       problems.push_back({scene.file, scene.walls[second].where.line,
                           fmt::format("wall {} and wall {} do not meet: their ends are {:.3g} apart", first, second, apart),
