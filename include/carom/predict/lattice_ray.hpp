@@ -24,9 +24,9 @@ struct LatticeRay {
   double place[D], slope[D], half[D];  ///< [rows] where the path is at the origin, what it gains a column, half of what it sweeps
 
   CAROM_INLINE LatticeRay(const double* r, const double* g, double sigma, const double* edge, const double* per_edge) {
-    for (int k = 1; k < D; ++k)
-      if (std::fabs(g[k]) * per_edge[k] > std::fabs(g[axis]) * per_edge[axis]) axis = k;
-    sense = g[axis] > 0 ? -1.0 : 1.0;
+    for (int k = 1; k < D; ++k)  // not to be foreseen: without a branch
+      axis += (k - axis) * static_cast<int>(std::fabs(g[k]) * per_edge[k] > std::fabs(g[axis]) * per_edge[axis]);
+    sense = -std::copysign(1.0, g[axis]);
     const double per_speed = 1 / std::fabs(g[axis]);
     period = edge[axis] * per_speed;
     origin = -(sense * r[axis]) * per_edge[axis];

@@ -355,9 +355,10 @@ class FewLoop {
         row[k] = k == ray.axis ? ray.sense * columns : ray.row(k, columns);
         image[k] = spread(0);
       }
+      int open = 0;  // columns with what is not settled
       for (int corner = 0; corner < 1 << (D - 1); ++corner) {
         Lanes n[D], at[D], v[D];
-        int bit = 0;
+        int bit = 0, unsettled;
         LaneMask touching = LaneMask{} - 1;
         for (int k = 0; k < D; ++k) {
           n[k] = row[k] + (k == ray.axis ? 0.0 : static_cast<double>(corner >> bit & 1));
@@ -366,19 +367,24 @@ class FewLoop {
           v[k] = spread(g[k]);
           if (again) touching = touching & (n[k] == static_cast<double>(i < j ? contact->image[k] : -contact->image[k]));
         }
-        int open;
-        Lanes t = flights(at, v, spread(slot.pair.sigma), open);
+        Lanes t = flights(at, v, spread(slot.pair.sigma), unsettled);
         if (again) {
-          open &= ~sign_bits(touching);
+          unsettled &= ~sign_bits(touching);
           t = touching ? spread(never<double>()) : t;
         }
-        if (open != 0) return detail::predict_pair(run, s);
+        open |= unsettled;
         const LaneMask sooner = t < best;
         best = sooner ? t : best;
         for (int k = 0; k < D; ++k) image[k] = sooner ? n[k] : image[k];
       }
+      // Columns do not overlap: what is met in a later one comes later.
+      if (open != 0) {
+        const unsigned meeting = static_cast<unsigned>(sign_bits(best < never<double>()));
+        const unsigned until_then = (meeting & -meeting) * 2 - 1;
+        if ((static_cast<unsigned>(open) & until_then) != 0) return detail::predict_pair(run, s);
+      }
       const double flight = least_of(best)[0];
-      if (flight < never<double>()) {  // columns do not overlap: what is met in the next comes later
+      if (flight < never<double>()) {
         const int m = __builtin_ctz(static_cast<unsigned>(sign_bits(best == flight)) | 16u) & 3;
         for (int k = 0; k < D; ++k) slot.image[k] = static_cast<std::int32_t>(image[k][m]);
         return set(run, s, flight, now);
