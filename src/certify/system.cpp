@@ -36,8 +36,11 @@ std::vector<Problem> outside_the_scope(const Scene& scene) {
   if (c.contact_time != 0) refuse(c.where, "contact_time", "Leave it out");
   if (c.regularise != Regularise::stop) refuse(c.where, "regularise", "Leave it out");
   if (is_magnetic(scene)) refuse(scene.motion.where, "motion.magnetic", "Leave it out");
-  for (const WallSpec& w : scene.walls)
+  for (const WallSpec& w : scene.walls) {
     if (w.oscillation) refuse(w.where, "wall.oscillation", "Leave it out");
+    if (w.kind == WallKind::arc || w.kind == WallKind::ellipse || w.kind == WallKind::parabola || w.kind == WallKind::curve)
+      refuse(w.where, "a wall that is curved and no circle", "Use circles, segments and polygons");
+  }
   if (balls_grow(scene)) refuse({}, "radius_growth", "Leave it out");
   for (const WallSpec& w : scene.walls)
     if (scene.space.kind == SpaceKind::periodic || w.opening)

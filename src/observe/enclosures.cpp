@@ -1,6 +1,7 @@
 #include "carom/observe/enclosures.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -73,6 +74,8 @@ void Enclosures::add_wall(const WallSpec& wall) {
     half_spaces_.push_back({triple(wall.point), triple(wall.normal), triple(wall.velocity)});
   if (wall.kind == WallKind::circle)
     rounds_.push_back({triple(wall.centre), triple(wall.velocity), wall.radius, wall.side == WallSide::inside});
+  if (wall.kind == WallKind::ellipse || wall.kind == WallKind::curve)
+    bents_.push_back({wall, triple(wall.centre), triple(wall.velocity)});
   if (wall.kind != WallKind::polygon) return;
   Ring ring;
   ring.velocity = triple(wall.velocity);
@@ -114,6 +117,21 @@ bool Enclosures::outside(const Round& round, const Triple& x) const {
   return square > round.radius * round.radius;
 }
 
+bool Enclosures::outside(const Bent& bent, const Triple& x) {
+  const WallSpec& w = bent.wall;
+  const double c = std::cos(w.angle.value), s = std::sin(w.angle.value), rx = x[0] - bent.centre[0], ry = x[1] - bent.centre[1];
+  const double p = c * rx + s * ry, q = c * ry - s * rx;
+  if (w.kind == WallKind::ellipse) {
+    const double a = p / w.axes[0], b = q / w.axes[1];
+    return a * a + b * b > 1;
+  }
+  const double theta = std::atan2(q, p);
+  double r = 0;
+  for (std::size_t k = 0; k < w.cosines.size(); ++k) r += w.cosines[k] * std::cos(static_cast<double>(k) * theta);
+  for (std::size_t k = 0; k < w.sines.size(); ++k) r += w.sines[k] * std::sin(static_cast<double>(k) * theta);
+  return std::hypot(p, q) > r;
+}
+
 bool Enclosures::inside(const Ring& ring, const Triple& x, double elapsed) const {
   return any_image(moved(x, ring.velocity, -elapsed), [&](const Triple& y) {
     bool odd = false;
@@ -135,9 +153,15 @@ bool Enclosures::escaped(std::uint32_t ball, const Triple& position, double elap
     const bool within = any_image(x, [&](const Triple& y) { return !outside(r, y); });
     return within != r.inside;
   };
+  const auto through = [&](const Bent& b) {
+    const bool within =
+        any_image(moved(position, b.velocity, -elapsed), [&](const Triple& y) { return !outside(b, y); });
+    return within != (b.wall.side == WallSide::inside);
+  };
   const auto across = [&](const Ring& r) { return inside(r, position, elapsed) != r.holds.at(ball); };
   return std::any_of(half_spaces_.begin(), half_spaces_.end(), beyond) ||
-         std::any_of(rounds_.begin(), rounds_.end(), past) || std::any_of(rings_.begin(), rings_.end(), across);
+         std::any_of(rounds_.begin(), rounds_.end(), past) ||
+         std::any_of(bents_.begin(), bents_.end(), through) || std::any_of(rings_.begin(), rings_.end(), across);
 }
 
 }  // namespace carom

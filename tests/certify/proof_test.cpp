@@ -172,6 +172,7 @@ TEST(Prove, refuses_by_name) {
   EXPECT_THAT(refusal("[motion]\nacceleration = [0, -1]\n[collision]\nregularise = \"rest\"\n" + balls), HasSubstr("regularise"));
   EXPECT_THAT(refusal("dimension = 1\n[collision]\nrestitution = 0\n[[ball]]\nposition = [0]\n[[ball]]\nposition = [3]\n[run]\nuntil = 1\n"), HasSubstr("restitution 0 on a line"));
   EXPECT_THAT(refusal("[[wall]]\nkind = \"plane\"\npoint = [0, -5]\nnormal = [0, 1]\nrestitution = 0\n" + balls), HasSubstr("restitution 0 at wall 0"));
+  EXPECT_THAT(refusal("[[wall]]\nkind = \"ellipse\"\ncentre = [0, 0]\naxes = [50, 40]\n" + balls), HasSubstr("curved"));
   EXPECT_THAT(refusal("[[ball]]\nposition = [1, 0]\n" + balls), HasSubstr("ball 0 and ball 1 start in contact"));
   EXPECT_THAT(refusal("[[wall]]\nkind = \"plane\"\npoint = [0, -0.5]\nnormal = [0, 1]\n" + balls), HasSubstr("ball 0 starts in contact with wall 0"));
 }

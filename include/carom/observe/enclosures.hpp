@@ -31,6 +31,11 @@ class Enclosures {
     double radius;
     bool inside;
   };
+  /// A closed curve about a centre: an ellipse, or r(theta).
+  struct Bent {
+    WallSpec wall;
+    Triple centre, velocity;
+  };
   struct Edge {
     Triple from, to;
   };
@@ -44,6 +49,7 @@ class Enclosures {
   void add_wall(const WallSpec& wall);
   void add_closed_segments(const Scene& scene);
   [[nodiscard]] bool outside(const Round& round, const Triple& x) const;
+  [[nodiscard]] static bool outside(const Bent& bent, const Triple& x);
   [[nodiscard]] bool inside(const Ring& ring, const Triple& x, double elapsed) const;
   /// Calls f(image) for the places of a point in the cell and in all cells around it; only the point itself elsewhere.
   template <class F>
@@ -54,6 +60,7 @@ class Enclosures {
   std::array<double, 3> edge_;
   std::vector<HalfSpace> half_spaces_;
   std::vector<Round> rounds_;
+  std::vector<Bent> bents_;
   std::vector<Ring> rings_;
 };
 
