@@ -9,6 +9,8 @@ namespace carom {
 
 namespace {
 
+constexpr int steps = 720;  // of a curve that is neither straight nor a circle
+
 std::array<double, 2> point(const Coordinates& c) { return {c[0].value, c[1].value}; }
 
 }  // namespace
@@ -45,7 +47,6 @@ void Outline::add(const Piece& piece) {
 }
 
 void Outline::add_wall(const WallSpec& w) {
-  constexpr int steps = 720;  // of a curve that is neither straight nor a circle
   std::vector<Point> corners;
   const auto turned = [&](double x, double y) {
     const double c = std::cos(w.angle.value), s = std::sin(w.angle.value);
@@ -112,7 +113,11 @@ void Outline::add_arc(const WallSpec& w) {
 }
 
 bool Outline::inside_or_on(const double* x) const {
-  const double h = std::max(upper_[0] - lower_[0], upper_[1] - lower_[1]) * 0x1p-30;
+  // Chords of a smooth curve lie within (pi / steps)^2 of its size from it; which side of the curve itself a place near it is
+  // on is judged elsewhere.
+  constexpr double chord = std::numbers::pi / steps;
+  const bool smooth = pieces_.size() == steps;
+  const double h = std::max(upper_[0] - lower_[0], upper_[1] - lower_[1]) * (smooth ? chord * chord : 0x1p-30);
   for (const double dx : {0.0, -h, h})
     for (const double dy : {0.0, -h, h}) {
       const double at[2] = {x[0] + dx, x[1] + dy};
