@@ -9,56 +9,28 @@ namespace carom {
 
 namespace {
 
-constexpr std::uint32_t groups = 20;
-
-/// The slope of -ln N over from .. to, without the balls of one group (`groups`: with all). `gone` is sorted by time.
-double escape_rate(const std::vector<Departure>& gone, double count, double from, double to, std::uint32_t without) {
-  const auto taken = [&](const Departure& d) { return d.ball % groups != without; };
-  double left = count;
+/// gamma and its error between from and to; `gone` is sorted by time, `count` balls were there at the start.
+Estimate escape_rate(const std::vector<Departure>& gone, double count, double from, double to) {
+  if (!gone.empty() && static_cast<double>(gone.size()) == count) to = std::min(to, gone.back().time);
+  const double middle = (from + to) / 2, half = (to - from) / 2;
+  double left = count, sum = 0, squares = 0;
   for (const Departure& d : gone) {
-    if (!taken(d)) continue;
-    if (d.time <= to) left -= 1;
-    if (left == 0) to = d.time;  // nothing is left to take a logarithm of
-  }
-  const double middle = (from + to) / 2, span = to - from;
-  double at = from, sum = 0;
-  left = count;
-  const auto pass = [&](double t) {
-    sum += std::log(left) * ((t - middle) * (t - middle) - (at - middle) * (at - middle)) / 2;
-    at = t;
-  };
-  for (const Departure& d : gone) {
-    if (!taken(d)) continue;
-    if (d.time >= to) break;
-    if (d.time > from) pass(d.time);
+    if (d.time > from && d.time <= to) {
+      const double u = (d.time - middle) / half, bell = (1 - u * u) * (1 - u * u), term = bell * bell / left;
+      sum += term;
+      squares += term * term;
+    }
     left -= 1;
   }
-  pass(to);
-  return -12 * sum / (span * span * span);
+  const double whole = half * 256 / 315;  // integral of the weights
+  return {"survival.escape_rate", sum / whole, std::sqrt(squares) / whole};
 }
 
-/// Delete one group, each in turn.
-double jackknife_error(const std::vector<Departure>& gone, const std::vector<double>& counts, double from, double to) {
-  double sum = 0, squares = 0;
-  for (std::uint32_t g = 0; g < groups; ++g) {
-    const double rate = escape_rate(gone, counts[groups] - counts[g], from, to, g);
-    sum += rate;
-    squares += rate * rate;
-  }
-  const double n = groups;
-  return std::sqrt(std::max(0.0, (squares - sum * sum / n) * (n - 1) / n));
-}
-
-/// Balls that can leave at all, those that move: by group, and of all.
-std::vector<double> movable(const Simulation& simulation) {
-  std::vector<double> n(groups + 1, 0.0);
-  const auto count = [&](std::uint32_t ball) {
-    n[ball % groups] += 1;
-    n[groups] += 1;
-  };
-  for (const Departure& d : simulation.departures()) count(d.ball);
+/// Balls that can leave at all, those that move.
+double movable(const Simulation& simulation) {
+  double n = static_cast<double>(simulation.departures().size());
   for (std::uint32_t i = 0; i < simulation.ball_count(); ++i)
-    if (simulation.alive(i) && simulation.glimpse(i).mass < HUGE_VAL) count(i);
+    if (simulation.alive(i) && simulation.glimpse(i).mass < HUGE_VAL) n += 1;
   return n;
 }
 
@@ -83,20 +55,14 @@ Estimates Survival::estimates(const Simulation& simulation) const {
   const double from = asked_->from ? asked_->from->value : start_, to = until(simulation);
   const std::vector<Departure> gone = simulation.departures();
   const double n = static_cast<double>(std::count_if(gone.begin(), gone.end(), [&](const Departure& d) { return d.time > from && d.time <= to; }));
-  Estimate rate{"survival.escape_rate"};
-  const Estimate departures{"survival.departures", n, std::sqrt(n)};
-  if (n > 0) {
-    const std::vector<double> counts = movable(simulation);
-    rate.value = escape_rate(gone, counts[groups], from, to, groups);
-    rate.error = jackknife_error(gone, counts, from, to);
-  }
-  return {rate, departures};
+  const Estimate rate = n > 0 ? escape_rate(gone, movable(simulation), from, to) : Estimate{"survival.escape_rate"};
+  return {rate, {"survival.departures", n, std::sqrt(n)}};
 }
 
 std::vector<Table> Survival::tables(const Simulation& simulation) const {
   if (!asked_) return {};
   const std::vector<Departure> all = simulation.departures();
-  const double count = movable(simulation)[groups], end = simulation.time();
+  const double count = movable(simulation), end = simulation.time();
   Table curve{"survival", {"time", "balls", "share", "error"}, {}};
   std::size_t gone = 0;
   for (std::int64_t k = 0; k <= asked_->bins; ++k) {

@@ -10,12 +10,13 @@ namespace carom {
 
 /// The simulation itself remembers who left, when and where, so nothing is kept beside it and a checkpoint has it all.
 ///
-/// The escape rate is the slope of the straight line that is nearest to -ln N(t) over `from` .. `to`, each moment alike (if all
-/// leave: to the last departure):
-///   gamma = -12 / T^3 integral (t - m) ln N(t) dt,   T = to - from, m = (from + to) / 2,
-/// an exact sum, as N is constant between departures. Where flights are nearly equally long, N falls in steps, which this averages
-/// over some of; the most likely rate of an exponential, n over all time waited, depends on the step that `from` is in (by
-/// 10 % either way at the three-disk pinball). The standard error is the jackknife's over 20 groups of balls [Efron1982].
+/// The escape rate is a mean of the rate of leaving over `from` .. `to` (if all leave: to the last departure), with weights that
+/// go to 0 at both ends [RamlauHansen1983]:
+///   gamma = sum w(u) / N / integral w dt,   w(u) = (1 - u^2)^4,   u = (t - (from + to) / 2) / ((to - from) / 2),
+/// summed over departures, N those inside before. A sum over 1 / N is without bias however few are left [Aalen1978]. Where
+/// flights are nearly equally long, N falls in steps, and those cancel as (span / step)^-5; of a straight line through ln N as
+/// the square, w being 1 - u^2; the most likely rate of an exponential depends on the step that `from` is in. The standard error is
+/// that of independent balls, sqrt(sum (w / N)^2) / integral w dt.
 class Survival {
  public:
   /// Throws InputError if nothing can leave.
