@@ -16,7 +16,6 @@ bool few_fits(const World<double, D>& world) {
   if (world.law != LawKind::restitution || world.simultaneous != Simultaneous::sequential || world.accelerated()) return false;
   if (world.balls.size() > few_balls || !world.bodies.empty()) return false;
   if (!world.walls.openings.empty() || !world.walls.swings.empty()) return false;
-  if (world.space.periodic() && !world.walls.empty()) return false;
   double largest = 0;  // distance at which two balls meet
   for (std::size_t i = 0; i < world.balls.size(); ++i) {
     if (!world.balls[i].alive) return false;
@@ -36,7 +35,10 @@ std::unique_ptr<Simulation::Engine> make_few_engine(const Scene& scene, World<do
   composition.search = periodic ? "all pairs and their images" : "all pairs";
   composition.queue = "table of meetings";
   composition.reasons.push_back(fmt::format("all pairs: {} balls, nothing to keep", world.balls.size()));
-  if (periodic) composition.reasons.push_back("images of a partner in the order in which its path comes to them");
+  if (periodic && world.balls.size() > 1)
+    composition.reasons.push_back("images of a partner in the order in which its path comes to them");
+  if (periodic && !world.walls.empty())
+    composition.reasons.push_back("walls: after a circle the circles that lie that way, the nearest first; else period by period");
   composition.reasons.push_back("table of meetings: one entry a pair; the first is found by looking at all");
   const FreeFlight<double, D> motion;
   const auto make = [&]<class Search>(Search search) -> std::unique_ptr<Simulation::Engine> {

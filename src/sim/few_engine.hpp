@@ -6,8 +6,8 @@
 namespace carom {
 
 /// True if the integrator for few balls can move this world: lone balls in free flight, law "restitution", contacts one by
-/// one, infinite masses at rest, no openings and no walls that swing; a periodic space has no walls, and columns of images of
-/// a ball lie apart in it.
+/// one, infinite masses at rest, no openings and no walls that swing; in a periodic space walls stand still, and columns of
+/// images of a ball lie apart.
 template <int D>
 [[nodiscard]] bool few_fits(const World<double, D>& world);
 template <int D>

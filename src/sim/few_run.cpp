@@ -114,16 +114,100 @@ Event<double, D> event_of(const FewRun<D>& run, std::uint32_t i, const Time<doub
   return event;
 }
 
+/// Takes up an event of ball i if it is the first.
+template <int D>
+void offer(typename FewRun<D>::Wall& wall, const Event<double, D>& e) {
+  if (e.kind == EventKind::none || e.time > wall.event.time) return;
+  const bool before = precedes(e, wall.event);
+  if (!before && !precedes(wall.event, e)) return;  // it is the same
+  wall.tied = e.time == wall.event.time;
+  if (before) wall.event = e;
+}
+
+/// The event of a wall that the loop knows becomes an entry of its own kind.
 template <int D>
 void set_walls(FewRun<D>& run, std::uint32_t i) {
   typename FewRun<D>::Wall& wall = run.wall[i];
-  const Time<double>& since = run.world->balls[i].time;
+  const World<double, D>& world = *run.world;
+  const Ball<double, D>& ball = world.balls[i];
   const bool any = wall.event.kind != EventKind::none;
   wall.which = FewRun<D>::some_wall;
-  set(run, run.slot_of[i][i], any ? elapsed(since, wall.event.time) : never<double>(), since);
+  set(run, run.slot_of[i][i], any ? elapsed(ball.time, wall.event.time) : never<double>(), ball.time);
+  if (!any || wall.tied) return;
+  for (std::uint32_t row = 0; row < run.spheres.size(); ++row) {
+    const auto& sphere = world.walls.spheres[run.spheres[row]];
+    if (index(sphere.wall) != wall.event.partner || sphere.feature != wall.event.feature) continue;
+    wall.which = 2 * D + row;
+    wall.image = wall.event.image;
+    const auto placed = wall.image == Image<D>{} ? sphere : moved_by(world.space, sphere, wall.image);
+    for (int k = 0; k < D; ++k) wall.centre[k] = placed.centre[k];
+    const Touch touch = touch_of_wall(wall_contact(world, i, wall.event.partner, wall.event.feature, wall.image), ball);
+    set(run, run.slot_of[i][i], flight_to_wall(FreeFlight<double, D>{}, world, ball, placed, touch), ball.time);
+  }
+}
+
+/// Predicts the walls of ball i in a periodic space: those near each period that its path runs through, until what it meets
+/// first is certain.
+template <int D>
+void predict_walls_of_periods(FewRun<D>& run, std::uint32_t i) {
+  constexpr int most_tiles = 8;
+  const World<double, D>& world = *run.world;
+  const Ball<double, D>& ball = world.balls[i];
+  typename FewRun<D>::Wall& wall = run.wall[i];
+  bool& settled = run.slot[run.slot_of[i][i]].settled;
+  if (settled) wall.tile = Image<D>{};
+  settled = true;
+  double leaves = never<double>();
+  for (int m = 0; m < most_tiles; ++m) {
+    const auto meet = [&](const auto& shape, const Image<D>& image) {
+      offer(wall, predict_wall(FreeFlight<double, D>{}, world, i, shape, image));
+    };
+    run.near_walls.for_each(world, 0, wall.tile, meet);
+    int axis = -1;
+    leaves = never<double>();
+    for (int k = 0; k < D; ++k) {
+      const double v = ball.velocity[k];
+      if (v == 0) continue;
+      const double t = (world.space.lower[k] + (wall.tile[k] + (v > 0)) * world.space.edge[k] - ball.position[k]) / v;
+      if (!(t < leaves)) continue;
+      leaves = t;
+      axis = k;
+    }
+    const bool met = wall.event.kind != EventKind::none && !(elapsed(ball.time, wall.event.time) > leaves);
+    if (met || axis < 0) return set_walls(run, i);
+    wall.tile[axis] += ball.velocity[axis] > 0 ? 1 : -1;
+  }
+  settled = false;
+  wall.which = FewRun<D>::some_wall;
+  wall.event = {};
+  wall.event.time = after(ball.time, std::max(0.0, leaves));
+  set(run, run.slot_of[i][i], std::max(0.0, leaves), ball.time);
 }
 
 }  // namespace
+
+template <int D>
+void survey_walls(FewRun<D>& run, const World<double, D>& world) {
+  if (!world.space.periodic() || world.walls.empty()) return;
+  std::array<std::int64_t, static_cast<std::size_t>(D)> one_cell;
+  one_cell.fill(1);
+  double largest = 0;
+  for (const auto& ball : world.balls) largest = std::max(largest, ball.radius);
+  run.near_walls.reset(world, world.space.lower, world.space.edge, one_cell, largest, 0x1p-10);
+  if constexpr (D == 2) {
+    std::vector<Sphere<double, 2>> circles;
+    for (const auto& sphere : world.walls.spheres)
+      if (is_plain(world, sphere)) circles.push_back(sphere);
+    std::vector<double> radii;
+    for (std::size_t i = 0; i < world.balls.size(); ++i) {
+      const auto known = std::find(radii.begin(), radii.end(), world.balls[i].radius);
+      run.circles_of[i] = static_cast<std::uint32_t>(known - radii.begin());
+      if (known != radii.end()) continue;
+      radii.push_back(world.balls[i].radius);
+      run.next_circles.emplace_back(world.space, circles, radii.back());
+    }
+  }
+}
 
 template <int D>
 void start_few(FewRun<D>& run, World<double, D>& world, Collider<FreeFlight<double, D>>& collider, const Time<double>& now) {
@@ -181,13 +265,14 @@ void predict_walls(FewRun<D>& run, std::uint32_t i) {
   typename FewRun<D>::Wall& wall = run.wall[i];
   wall.event = {};
   wall.tied = false;
-  run.world->walls.for_each([&](const auto& shape) {
-    const Event<double, D> e = predict_wall(FreeFlight<double, D>{}, *run.world, i, shape);
-    if (e.kind == EventKind::none || e.time > wall.event.time) return;
-    wall.tied = e.time == wall.event.time;
-    if (precedes(e, wall.event)) wall.event = e;
-  });
+  if (run.world->space.periodic()) return predict_walls_of_periods(run, i);
+  run.world->walls.for_each(
+      [&](const auto& shape) { offer(wall, predict_wall(FreeFlight<double, D>{}, *run.world, i, shape)); });
   set_walls(run, i);
+}
+
+double flight_to_circle(const Ball<double, 2>& ball, double x, double y, double sigma) {
+  return meet_time<double, 2>(ball.position - Vec<double, 2>(x, y), ball.velocity, sigma);
 }
 
 template <int D>
@@ -245,6 +330,7 @@ Verdict collide_slot(FewRun<D>& run, std::uint32_t s, const Time<double>& t) {
   if (which < 2 * D) {
     take(run.world->walls.faces[static_cast<std::size_t>(run.face_row[which])]);
   } else {
+    if (run.world->space.periodic()) event.image = run.wall[slot.low].image;
     take(run.world->walls.spheres[run.spheres[which - 2 * D]]);
   }
   return run.collide(run, event);
@@ -284,6 +370,7 @@ FewKernel<D> few_kernel(const World<double, D>& world, [[maybe_unused]] bool vec
 
 #define CAROM_INSTANTIATE(D)                                                                                              \
   template FewKernel<D> few_kernel(const World<double, D>&, bool);                                                        \
+  template void detail::survey_walls(FewRun<D>&, const World<double, D>&);                                                \
   template void detail::start_few(FewRun<D>&, World<double, D>&, Collider<FreeFlight<double, D>>&, const Time<double>&);   \
   template void detail::predict_pair(FewRun<D>&, std::uint32_t);                                                          \
   template void detail::predict_walls(FewRun<D>&, std::uint32_t);                                                         \

@@ -29,8 +29,10 @@ struct Named {
 #define CAROM_UNIT_CELL "dimension=2\n[space]\nkind='periodic'\nlower=[-0.3,0.2]\nupper=[0.7,1.2]\n"
 #define CAROM_POINT "[[ball]]\nposition=[-0.2,0.31]\nvelocity=[0.6,0.81]\nradius=0\n"
 
+#define CAROM_POINT_AT(x) "[[ball]]\nposition=[" x "]\nvelocity=[0.6,0.81]\nradius=0\n"
+
 // Box and periodic cells, points and balls, mixtures, circles from inside and outside, walls that the table does not know,
-// long corridors, dissipation, obstacles, symmetric scenes that are full of ties, a path along an axis, contacts at the start.
+// tables that are repeated, long corridors, dissipation, obstacles, symmetric scenes that are full of ties, a path along an axis, contacts at the start.
 const Named scenes[] = {
     {"five_disks",
      "dimension=2\n[space]\nkind='box'\nlower=[0,0]\nupper=[10,10]\n"
@@ -63,6 +65,32 @@ const Named scenes[] = {
     {"polygon",
      "dimension=2\n[[wall]]\nkind='polygon'\nvertices=[[0,0],[4,0],[5,3],[1,4]]\n[[ball]]\nposition=[1,1]\nvelocity=[0.6,0.8]\nradius=0\n"
      "[[ball]]\nposition=[2,2]\nvelocity=[-0.6,0.3]\nradius=0.3\n"},
+    {"lorentz_table", "[[table]]\nkind='lorentz'\nlattice='triangular'\nspacing=2.3\nradius=1\n" CAROM_POINT_AT("1.15,0.1")},
+    {"lorentz_table_with_corridors", "[[table]]\nkind='lorentz'\nlattice='triangular'\nspacing=3\nradius=1\n" CAROM_POINT_AT("1.5,0.1")},
+    {"narrow_lorentz_table", "[[table]]\nkind='lorentz'\nlattice='triangular'\nspacing=2.001\nradius=1\n" CAROM_POINT_AT("1.0005,0.5")},
+    {"square_lorentz_table", "[[table]]\nkind='lorentz'\nlattice='square'\nspacing=2.3\nradius=1\n" CAROM_POINT_AT("1.15,0.3")},
+    {"wide_lorentz_table", "[[table]]\nkind='lorentz'\nlattice='square'\nspacing=2.3\nradius=0.03\n" CAROM_POINT_AT("1.15,0.3")},
+    {"sinai_table", "[[table]]\nkind='sinai'\nsize=[1,1.5]\nradius=0.35\n" CAROM_POINT_AT("0.4,0.4")},
+    {"sinai_table_in_a_box", "[[table]]\nkind='sinai'\nsize=[1,1.5]\nradius=0.35\nperiodic=false\n" CAROM_POINT_AT("0.4,0.4")},
+    {"disks_on_a_lorentz_table",
+     "[[table]]\nkind='lorentz'\nlattice='square'\nspacing=2.3\nradius=0.8\n[[ball]]\nposition=[1.15,0.1]\nvelocity=[0.6,0.8]\nradius=0.1\n"
+     "[[ball]]\nposition=[0.1,1.1]\nvelocity=[-0.6,0.3]\nradius=0.2\nmass=3\n" CAROM_POINT_AT("1.1,1.1")},
+    {"crossing_circles",
+     CAROM_UNIT_CELL "[[wall]]\nkind='circle'\ncentre=[5.2,-2.3]\nradius=0.3\nside='outside'\n[[wall]]\nkind='circle'\ncentre=[0.4,0.6]\n"
+                     "radius=0.2\nside='outside'\n" CAROM_POINT_AT("-0.2,0.31")},
+    {"circles_of_all_sizes",
+     CAROM_UNIT_CELL "[[wall]]\nkind='circle'\ncentre=[0.2,0.7]\nradius=0.3\nside='outside'\n[[wall]]\nkind='circle'\ncentre=[0.6,0.3]\n"
+                     "radius=0.05\nside='outside'\n[[wall]]\nkind='circle'\ncentre=[0.69,0.9]\nradius=0.001\nside='outside'\n"
+                     "[[ball]]\nposition=[-0.2,0.31]\nvelocity=[0.6,0.81]\nradius=0.02\n"},
+    {"flat_walls_in_periods",
+     CAROM_UNIT_CELL "[[wall]]\nkind='circle'\ncentre=[0.2,0.7]\nradius=0.2\nside='outside'\n[[wall]]\nkind='segment'\nfrom=[-0.1,1.0]\n"
+                     "to=[0.5,1.15]\n[[wall]]\nkind='polygon'\nvertices=[[0.5,0.3],[0.6,0.25],[0.62,0.4]]\n" CAROM_POINT_AT("-0.2,0.31")
+                     "[[ball]]\nposition=[-0.2,0.6]\nvelocity=[0.6,0.81]\nradius=0.03\n"},
+    {"arc_in_periods",
+     CAROM_UNIT_CELL "[[wall]]\nkind='arc'\ncentre=[0.2,0.7]\nradius=0.3\nfrom_angle=0.5\nto_angle=4\n" CAROM_POINT_AT("-0.2,0.31")},
+    {"sphere_in_periods",
+     "dimension=3\n[space]\nkind='periodic'\nlower=[0,0,0]\nupper=[1,1.25,1]\n[[wall]]\nkind='circle'\ncentre=[0.5,0.5,0.5]\nradius=0.4\n"
+     "side='outside'\n[[ball]]\nposition=[0.1,0.05,0.02]\nvelocity=[0.6,0.8,-0.33]\nradius=0\n"},
     {"materials",
      "dimension=2\n[collision]\nrestitution=0.95\n[space]\nkind='box'\nlower=[0,0]\nupper=[10,10]\n[[gas]]\ncount=6\nradius=0.5\n"},
     {"square_of_ties",
@@ -79,6 +107,7 @@ const Named scenes[] = {
 
 #undef CAROM_UNIT_CELL
 #undef CAROM_POINT
+#undef CAROM_POINT_AT
 
 /// `how` of the four: the table with and without vector instructions, the plain integrator by all pairs and by cells.
 enum class By { vectors, scalars, pairs, cells };

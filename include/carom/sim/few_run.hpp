@@ -9,6 +9,8 @@
 
 #include "carom/law/elastic.hpp"
 #include "carom/motion/free_flight.hpp"
+#include "carom/predict/next_circles.hpp"
+#include "carom/search/near_walls.hpp"
 #include "carom/sim/collision.hpp"
 #include "carom/sim/stop.hpp"
 #include "carom/world/world.hpp"
@@ -50,6 +52,9 @@ struct FewRun {
     std::uint32_t which = 0;  ///< 2 * axis + side of a face, 2 D + row of spheres, or some_wall
     bool tied = false;        ///< it meets two at that moment
     Event<double, D> event;   ///< some_wall
+    Image<D> image{};         ///< of the sphere, in a periodic space
+    double centre[D] = {};    ///< where it stands there
+    Image<D> tile{};          ///< of a path that is not looked at to its end: the period where to go on
   };
 
   World<double, D>* world = nullptr;
@@ -66,6 +71,9 @@ struct FewRun {
   std::vector<std::uint32_t> spheres;          ///< rows of walls.spheres that stand still, with a radius
   std::array<std::vector<ElasticPair>, most_balls> sphere_pair;  ///< by ball and row of `spheres`
   bool other_walls = false;
+  NearWalls<double, D> near_walls;             ///< of a period of a periodic space
+  std::vector<NextCircles> next_circles;       ///< in a periodic plane, by radius of the balls
+  std::array<std::uint32_t, most_balls> circles_of{};  ///< rows of next_circles
   std::int64_t passages = 0;  ///< columns gone through since the last collision
 
   std::array<Slot, most_slots> slot{};
@@ -116,6 +124,10 @@ template <int D>
 
 namespace detail {
 
+/// Looks at the walls of a periodic world, which stand still, once for the whole run.
+template <int D>
+void survey_walls(FewRun<D>& run, const World<double, D>& world);
+
 /// Fills the table of a world anew; `collider` books what happens in it.
 template <int D>
 void start_few(FewRun<D>& run, World<double, D>& world, Collider<FreeFlight<double, D>>& collider, const Time<double>& now);
@@ -124,13 +136,16 @@ void start_few(FewRun<D>& run, World<double, D>& world, Collider<FreeFlight<doub
 template <int D>
 void predict_pair(FewRun<D>& run, std::uint32_t slot);
 
-/// Predicts the walls of ball i, whatever its contacts.
+/// Predicts the walls of ball i, whatever its contacts; goes on from the period of an unsettled slot.
 template <int D>
 void predict_walls(FewRun<D>& run, std::uint32_t i);
 
 /// Flight of ball i to a sphere that plain arithmetic does not settle.
 template <int D>
 [[nodiscard]] double flight_to_sphere(const FewRun<D>& run, std::uint32_t i, std::uint32_t row);
+
+/// Flight of a ball to a circle that stands still and that it does not touch.
+[[nodiscard]] double flight_to_circle(const Ball<double, 2>& ball, double x, double y, double sigma);
 
 /// The first meeting of ball i with walls that the loop does not know itself.
 template <int D>
