@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "carom/game_engine/game_engine.hpp"
+#include "carom/scene/ensemble.hpp"
 #include "carom/scene/tables.hpp"
 #include "carom/sim/simulation.hpp"
 #include "carom/write/number_text.hpp"
@@ -51,6 +52,7 @@ Json facts(const Scene& scene, const Simulation& simulation) {
           {"balls", simulation.summary().balls},
           {"walls", simulation.wall_count()},
           {"tables", tables_explained(scene)},
+          {"ensemble", without_stops(ensemble_explained(scene))},
           {"composition", {{"motion", c.motion}, {"search", c.search}, {"queue", c.queue}, {"reasons", c.reasons}}},
           {"precision", "double"},
           {"epoch_length", hex_text(epoch)},
@@ -83,6 +85,7 @@ void print(std::ostream& out, const Json& f, double epoch) {
   row("clock", fmt::format("epochs of {} = {}, in steps of {:.3g}", f["epoch_length"].get<std::string>(),
                            number_text(epoch), f["time_resolution"].get<double>()));
   if (!f["tables"].empty()) print_list(out, "Tables", f["tables"]);
+  if (!f["ensemble"].empty()) print_list(out, "Ensemble", f["ensemble"]);
   print_list(out, "Why", f["composition"]["reasons"]);
   print_list(out, "Collisions", f["collisions"]);
   print_list(out, "Not modelled", f["not_modelled"]);

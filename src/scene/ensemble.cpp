@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include "carom/core/error.hpp"
 #include "carom/core/random.hpp"
@@ -50,6 +51,13 @@ std::string drawn(const VarySpec& v, RandomStream& draws) {
 /// Numbers of values of the lists; 0: drawn.
 std::int64_t length(const VarySpec& v) { return v.values.empty() ? v.steps : static_cast<std::int64_t>(v.values.size()); }
 bool is_listed(const VarySpec& v) { return length(v) > 0; }
+
+std::int64_t combinations_of(const EnsembleSpec& spec) {
+  std::int64_t n = 1;
+  for (const VarySpec& v : spec.vary)
+    if (is_listed(v)) n = spec.combine == Combine::zip ? length(v) : n * length(v);
+  return n;
+}
 
 /// What is drawn of a ball, once the scene is known; none: the key is drawn from a range, or listed.
 std::optional<BallKey> placed(const VarySpec& v) {
@@ -137,10 +145,7 @@ Ensemble::Ensemble(SceneSource source, EnsembleSpec spec) : source_(std::move(so
   if (spec_.vary.empty() && spec_.count.value_or(1) == 1)
     throw InputError(Problem{source_.file, 0, "the scene has nothing to vary", "the runs of a sweep differ in a key, or are many",
                              "Add --vary KEY=FROM:TO:STEPS, or [ensemble]"});
-  for (const VarySpec& v : spec_.vary) {
-    if (!is_listed(v)) continue;
-    combinations_ = spec_.combine == Combine::zip ? length(v) : combinations_ * length(v);
-  }
+  combinations_ = combinations_of(spec_);
 }
 
 bool Ensemble::places() const {
@@ -184,6 +189,24 @@ Ensemble::Member Ensemble::member(std::int64_t run, std::int64_t attempt) const 
     if (key->what != BallKey::What::position) placing.direction_at_its_speed(draws);
   }
   return m;
+}
+
+std::vector<std::string> ensemble_explained(const Scene& scene) {
+  if (!scene.ensemble) return {};
+  const EnsembleSpec& spec = *scene.ensemble;
+  std::vector<std::string> keys;
+  for (const VarySpec& v : spec.vary) {
+    const auto range = [&v] { return fmt::format("from {} to {}", number_text(v.from->value), number_text(v.to->value)); };
+    keys.push_back(v.key + ": " + (!v.values.empty() ? fmt::format("{}", fmt::join(v.values, ", "))
+                                   : v.steps > 0     ? fmt::format("{} equal steps {}", v.steps, range())
+                                   : v.from          ? "drawn " + range() + ", each value alike"
+                                                     : "drawn, as the key suggests"));
+  }
+  std::vector<std::string> said{fmt::format("{} runs by carom sweep, the same for the seed {} whatever the threads; carom run takes "
+                                            "the scene as it is written, once",
+                                            combinations_of(spec) * spec.count.value_or(1), spec.seed)};
+  said.insert(said.end(), keys.begin(), keys.end());
+  return said;
 }
 
 }  // namespace carom

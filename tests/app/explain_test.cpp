@@ -49,6 +49,18 @@ TEST(Explain, says_what_steps_and_engines_leave_out) {
   for (const auto& engine : j["engines"]) EXPECT_FALSE(engine["not_represented"].empty());
 }
 
+// Two listed values times three runs at each.
+TEST(Explain, says_what_an_ensemble_varies) {
+  const Folder folder;
+  folder.write("a.toml", test::head_on(2, "[ensemble]\ncount = 3\nseed = 7\n[[ensemble.vary]]\nkey = \"collision.restitution\"\n"
+                                          "values = [0.5, 1]\n[[ensemble.vary]]\nkey = \"ball.0.radius\"\nfrom = 0.1\nto = 0.2\n"));
+  EXPECT_THAT(carom(folder, {"explain", "a.toml"}).out,
+              testing::AllOf(HasSubstr("6 runs by carom sweep"), HasSubstr("seed 7"), HasSubstr("collision.restitution: 0.5, 1"),
+                             HasSubstr("ball.0.radius: drawn from 0.1 to 0.2")));
+  folder.write("b.toml", test::head_on(2));
+  EXPECT_THAT(carom(folder, {"explain", "b.toml"}).out, testing::Not(HasSubstr("Ensemble")));
+}
+
 TEST(Explain, refuses_a_wrong_scene) {
   const Folder folder;
   folder.write("a.toml", test::head_on(2));

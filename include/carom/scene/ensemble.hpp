@@ -54,6 +54,9 @@ class Ensemble {
   std::int64_t combinations_ = 1;
 };
 
+/// What [ensemble] asks for, in sentences; none: the scene has no [ensemble].
+[[nodiscard]] std::vector<std::string> ensemble_explained(const Scene& scene);
+
 /// So many runs at most: run numbers are exact in a double.
 inline constexpr std::int64_t most_runs = std::int64_t{1} << 40;
 
