@@ -154,9 +154,12 @@ class SwarmIntegrator {
         if (may_return()) take_back();
         continue;
       }
-      switch (kernel_.advance(run_, until, goal, interrupt)) {
+      switch (kernel_.advance(run_, until, std::min(goal, next_sort_), interrupt)) {
         case Halt::until: return Stop::until;
-        case Halt::events: return Stop::events;
+        case Halt::events:
+          if (counts().collisions() >= goal) return Stop::events;
+          sort_anew();
+          break;
         case Halt::idle: return Stop::no_events_left;
         case Halt::interrupted: return Stop::interrupted;
         case Halt::collapse: return Stop::collapse;
@@ -228,9 +231,9 @@ class SwarmIntegrator {
       become_whole(std::move(world));
       return;
     }
-    double largest = 0;
+    largest_ = 0;
     bool light = true;
-    for (const auto& ball : world.balls) largest = std::max(largest, ball.radius);
+    for (const auto& ball : world.balls) largest_ = std::max(largest_, ball.radius);
     for (const auto& detail : world.details) light = light && !detail::infinite(detail.mass);
     const double thickness =
         shell_thickness(world, setup_.neighbours > 0 ? setup_.neighbours : best_neighbours<D>);
@@ -238,15 +241,28 @@ class SwarmIntegrator {
     run_.swarm = make_swarm(std::move(world));
     sort_rows(run_.swarm, run_.now);
     const std::uint32_t n = run_.swarm.size();
-    if (!run_.shells.lay_out(run_.swarm, largest, thickness)) {
+    if (!run_.shells.lay_out(run_.swarm, largest_, thickness)) {
       become_whole(make_world(run_.swarm));
       return;
     }
-    run_.reach = 2 * largest + 2 * thickness;
+    run_.reach = 2 * largest_ + 2 * thickness;
     run_.per_bucket = n < 5000 ? 12 : n < 50000 ? 128 : 256;
     run_.far_sighted = n > 3000;
+    expect_sort();
     kernel_ = swarm_kernel(run_.swarm, setup_.vectors);
     kernel_.start(run_);
+  }
+
+  /// Balls wander off from those that they lie beside in memory: now and then their rows are put in order again, once in
+  /// 2000 collisions of a ball (papers/speed).
+  void sort_anew() {
+    sort_rows(run_.swarm, run_.now);
+    (void)run_.shells.lay_out(run_.swarm, largest_, run_.shells.thickness());  // as before, and so it fits
+    expect_sort();
+    kernel_.start(run_);
+  }
+  void expect_sort() {
+    next_sort_ = counts().collisions() + 1000 * static_cast<std::int64_t>(run_.swarm.size());
   }
 
   void hand_over() {
@@ -283,6 +299,8 @@ class SwarmIntegrator {
   SwarmKernel<D> kernel_{};
   std::unique_ptr<Whole> whole_;
   std::int64_t handed_over_ = 0;
+  double largest_ = 0;  ///< [length unit] radius
+  std::int64_t next_sort_ = 0;  ///< collisions after which the rows are put in order again
 };
 
 }  // namespace carom

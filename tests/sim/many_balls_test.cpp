@@ -180,6 +180,22 @@ TEST(ManyBallsChoice, says_why_lists_do_not_fit) {
                InputError);
 }
 
+// Rows are put in order again once in 1000 collisions a ball of the scene: nothing of the motion changes by that. Collisions go
+// apart as chaos does, so that the last hundred tell of all before.
+TEST(ManyBalls, fly_on_when_their_rows_are_sorted) {
+  const Named gas{"gas", 0, "dimension=2\n[[gas]]\ncount=50\npacking_fraction=0.4\nradius=0.5\n"};
+  std::vector<Line> logs[2];
+  for (const bool lists : {false, true}) {
+    Simulation simulation(lists ? scene_of(gas, "neighbour_list", "calendar") : scene_of(gas, "cells", "heap"));
+    EXPECT_EQ(simulation.composition().search, lists ? "neighbour lists" : "cells");
+    simulation.advance(std::nullopt, 149'900);
+    EXPECT_EQ(simulation.audit().overlaps, 0);
+    simulation.advance(std::nullopt, 100, [&](const Collision& c) { logs[lists ? 1 : 0].push_back(line_of(c)); });
+  }
+  EXPECT_EQ(logs[0].size(), 100u);
+  EXPECT_EQ(logs[0], logs[1]);
+}
+
 // The way back in time: what was undone is where it began, to what rounding makes of few collisions.
 TEST(ManyBalls, fly_back) {
   Simulation simulation(read_scene("dimension=3\n[[gas]]\ncount=500\npacking_fraction=0.1\nradius=0.5\n[run]\nevents=1000000\n",
