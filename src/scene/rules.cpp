@@ -34,6 +34,15 @@ void judge_space(Judgement& j) {
     if (!s.material.empty()) refuse("material");
     return;
   }
+  if (s.lower.empty() && s.upper.empty()) {
+    const bool sized = std::any_of(j.scene.gases.begin(), j.scene.gases.end(),
+                                   [](const GasSpec& g) { return g.radius && g.packing_fraction; });
+    rules.found("lower", " and space.upper are missing", "a " + std::string(kind) + " space lies between two corners",
+                  sized && s.kind == SpaceKind::periodic
+                      ? "Leave out [space]: radius and packing_fraction of the gas make a periodic space that fits"
+                      : "Add the corners, as in lower = [0, 0], upper = [10, 5] in 2-D");
+    return;
+  }
   const bool lower = rules.vector("lower", s.lower, Presence::required);
   const bool upper = rules.vector("upper", s.upper, Presence::required);
   for (std::size_t i = 0; lower && upper && i < s.lower.size() && i < s.upper.size(); ++i) {

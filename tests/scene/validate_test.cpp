@@ -87,7 +87,7 @@ TEST(Validate, finds_everything_at_once) {
   s.run.until.reset();
   s.space.kind = SpaceKind::box;
   s.balls[0].material = "ivory";
-  EXPECT_EQ(testing::mistakes(validate(s)).size(), 6u) << testing::listed(validate(s));
+  EXPECT_EQ(testing::mistakes(validate(s)).size(), 5u) << testing::listed(validate(s));
 }
 
 TEST(Validate, refuses_an_empty_scene) {
