@@ -12,8 +12,8 @@ using Vector = Vec<double, 2>;
 
 /// Of widths and ways: far more than rounding.
 constexpr double slack = 0x1p-20;
-/// Periods around that are looked at.
-constexpr int far = 5;
+/// Circles that the scene puts so many periods away from its cell have no lists.
+constexpr std::int32_t farthest = 1 << 14;
 
 /// A circle that may be met after another.
 struct Candidate {
@@ -54,6 +54,7 @@ double distance_from(const Vector& x, const Cone& cone) {
 /// All that may be met after circle `from` on a way of `limit`, the nearest first.
 std::vector<Candidate> candidates(const Space<double, 2>& space, const std::vector<Sphere<double, 2>>& circles, double radius,
                                   std::uint32_t from, double& limit) {
+  const int far = circles.size() <= 4 ? 7 : circles.size() <= 16 ? 3 : 1;  // periods around that are looked at
   const auto reach = [&](const auto& circle) { return circle.radius + radius; };
   double largest = 0;
   for (const auto& circle : circles) largest = std::max(largest, reach(circle));
@@ -79,6 +80,7 @@ std::vector<Candidate> candidates(const Space<double, 2>& space, const std::vect
 }  // namespace
 
 NextCircles::NextCircles(const Space<double, 2>& space, const std::vector<Sphere<double, 2>>& circles, double radius) {
+  if (circles.size() > most_circles) return;
   const double edge = space.edge.minCoeff();
   for (std::uint32_t row = 0; row < circles.size(); ++row) {
     double limit;
@@ -103,7 +105,8 @@ NextCircles::NextCircles(const Space<double, 2>& space, const std::vector<Sphere
       double beside = 0;
       for (int k = 0; k < 2; ++k)
         beside += std::pow(std::max({0.0, space.lower[k] - at[k], at[k] - space.lower[k] - space.edge[k]}), 2);
-      if (std::sqrt(beside) > (circles[row].radius + radius) * (1 + slack) + edge * slack) {  // no ball in the cell touches it
+      const bool out_of_reach = std::sqrt(beside) > (circles[row].radius + radius) * (1 + slack) + edge * slack;
+      if (out_of_reach || std::max(std::abs(image[0]), std::abs(image[1])) > farthest) {
         lists_.push_back(no_list);
         continue;
       }
@@ -129,9 +132,8 @@ NextCircles::NextCircles(const Space<double, 2>& space, const std::vector<Sphere
             four.x[m] = centre[0];
             four.y[m] = centre[1];
             four.sigma[m] = circles[c.row].radius + radius;
-            four.row[m] = c.row;
-            four.image[m][0] = n[0];
-            four.image[m][1] = n[1];
+            four.row[m] = static_cast<std::uint16_t>(c.row);
+            for (int k = 0; k < 2; ++k) four.image[m][k] = static_cast<std::int16_t>(n[k]);
           }
         }
     }

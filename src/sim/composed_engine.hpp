@@ -345,7 +345,7 @@ class ComposedEngine final : public Simulation::Engine {
   }
 
   /// The nearest double, in the user's unit.
-  [[nodiscard]] static double near(const Real& x, int exponent) { return std::ldexp(static_cast<double>(x), exponent); }
+  [[nodiscard]] static double near(const Real& x, int exponent) { return scaled(static_cast<double>(x), exponent); }
   [[nodiscard]] double nearest_time(const Time<Real>& t) const {
     return near(narrow(W(W(Real(t.epoch)) + W(t.offset))), world().units.time);
   }

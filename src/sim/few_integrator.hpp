@@ -2,6 +2,7 @@
 // The integrator for few balls, and EventDriven for what it leaves to that: both move one world.
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <memory>
 #include <span>
@@ -46,7 +47,10 @@ class FewIntegrator {
       if constexpr (requires { to.moved(run.collider->moved()); }) to.moved(run.collider->moved());
       return verdict;
     };
-    run_->plain = !Plain::wants_records && simple_;
+    run_->tell = nullptr;
+    if constexpr (Plain::wants_records)
+      run_->tell = [](FewRun<D>& run) { tell(run, *static_cast<Plain*>(run.sink)); };
+    run_->plain = simple_;
     while (true) {
       if (aside_) {
         const std::int64_t left = goal - counts().collisions();
@@ -86,6 +90,56 @@ class FewIntegrator {
   static constexpr std::int64_t patience = 64;
 
   [[nodiscard]] const EventCounts& counts() const { return engine_.collider().counts; }
+
+  /// The record that EventDriven would have made of an elastic impact, whose parties have been written.
+  template <class Sink>
+  static void tell(const FewRun<D>& run, Sink& sink) {
+    using Vector = Vec<double, D>;
+    const FewImpact<D>& told = run.told;
+    const World<double, D>& world = *run.world;
+    const BallDetail<double, D>& detail = world.details[told.low];
+    const bool pair = told.low != told.high;
+    const auto vector = [](const double (&x)[D]) { return Vector(Eigen::Map<const Vector>(x)); };
+    const double radius = world.balls[told.low].radius;
+    Event<double, D> event;
+    event.time = told.time;
+    event.kind = pair ? EventKind::ball_ball : EventKind::ball_wall;
+    event.ball = told.low;
+    event.partner = detail.last_partner;
+    event.feature = detail.last_feature;
+    event.image = told.image;
+    Impact<double, D> impact;
+    impact.va = vector(told.before[0]);
+    impact.vb = pair ? vector(told.before[1]) : Vector(Vector::Zero());
+    impact.e = 1;
+    for (int k = 0; k < D; ++k) {
+      impact.r[k] = pair ? wide_difference<double>(told.at[1][k], told.at[0][k]) : DoubleDouble(-told.from_wall[k]);
+      if (pair && world.space.periodic())
+        impact.r[k] = impact.r[k] + wide_product<double>(double(told.image[k]), world.space.edge[k]);
+    }
+    Outcome<double, D> outcome{};
+    outcome.va = world.balls[told.low].velocity;
+    outcome.vb = pair ? Vector(world.balls[told.high].velocity) : impact.vb;
+    outcome.impulse = told.impulse;
+    Record<double, D> record = record_of(event, impact, outcome, 0.0, false);
+    fill_party(record.ball, world, told.low, told.previous[0]);
+    if (pair) {
+      record.gap = gap_of_pair<double>(impact.r, double(radius + world.balls[told.high].radius));
+      fill_party(record.partner, world, told.high, told.previous[1]);
+    } else {
+      record.partner.number = event.partner;
+      with_wall(world, event.partner, event.feature, event.image, [&](const auto&, const auto& placed) {
+        record.gap = placed.gap(vector(told.at[0])) - radius;
+        fill_place(record, placed, vector(told.at[0]), radius, 0);
+      });
+    }
+    record.partner.velocity_before = impact.vb;
+    record.partner.velocity_after = outcome.vb;
+    record.point = world.balls[told.low].position - record.normal * radius;
+    sink(record);
+    const std::array<std::uint32_t, 2> moved{told.low, told.high};
+    if constexpr (requires { sink.moved(moved); }) sink.moved(std::span(moved).first(pair ? 2 : 1));
+  }
 
   void go_on(const Time<double>& now) {
     aside_ = false;

@@ -22,13 +22,14 @@ bool is_plain(const World<double, D>& world, const Sphere<double, D>& sphere) {
   return sphere.radius > 0 && !moves(world.walls, sphere);
 }
 
-/// Calls f for every piece of every wall that the loop does not know.
+/// Calls f for every piece of every wall that the loop does not know. Joints without a corner are nothing that points meet.
 template <int D, class F>
-void for_each_other(const World<double, D>& world, F&& f) {
+void for_each_other(const World<double, D>& world, double radius, F&& f) {
   world.walls.for_each([&](const auto& shape) {
     using Shape = std::remove_cvref_t<decltype(shape)>;
     if constexpr (std::is_same_v<Shape, Sphere<double, D>>) {
-      if (!is_plain(world, shape)) f(shape);
+      const bool joint = shape.smooth && shape.radius == 0 && radius == 0;
+      if (!joint && !is_plain(world, shape)) f(shape);
     } else if constexpr (!std::is_same_v<Shape, Face<double, D>>) {
       f(shape);
     }
@@ -52,7 +53,7 @@ void plan_walls(FewRun<D>& run, const World<double, D>& world) {
   for (std::size_t s = 0; s < world.walls.spheres.size(); ++s)
     if (is_plain(world, world.walls.spheres[s])) run.spheres.push_back(static_cast<std::uint32_t>(s));
   run.other_walls = false;
-  for_each_other(world, [&](const auto&) { run.other_walls = true; });
+  for_each_other(world, 1.0, [&](const auto&) { run.other_walls = true; });
   for (std::size_t i = 0; i < world.balls.size(); ++i) {
     run.sphere_pair[i].clear();
     for (const std::uint32_t s : run.spheres) {
@@ -286,7 +287,7 @@ double flight_to_sphere(const FewRun<D>& run, std::uint32_t i, std::uint32_t row
 template <int D>
 Event<double, D> first_other_wall(const FewRun<D>& run, std::uint32_t i) {
   Event<double, D> first;
-  for_each_other(*run.world, [&](const auto& shape) {
+  for_each_other(*run.world, run.world->balls[i].radius, [&](const auto& shape) {
     const Event<double, D> e = predict_wall(FreeFlight<double, D>{}, *run.world, i, shape);
     if (e.kind != EventKind::none && precedes(e, first)) first = e;
   });

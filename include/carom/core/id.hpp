@@ -28,7 +28,11 @@ struct Image {
     for (int k = 0; k < D; ++k) back[k] = -(*this)[k];
     return back;
   }
-  friend constexpr bool operator==(const Image&, const Image&) = default;
+  friend constexpr bool operator==(const Image& a, const Image& b) noexcept {
+    bool same = true;  // the default one is a call of memcmp
+    for (int k = 0; k < D; ++k) same = same && a[k] == b[k];
+    return same;
+  }
   friend constexpr auto operator<=>(const Image&, const Image&) = default;
 };
 

@@ -15,6 +15,8 @@ struct ElasticPair {
   double per_square = 0;        ///< 1 / sigma^2
   DoubleDouble push_a, push_b;  ///< 2 s / sigma^2, s the share of the change of relative velocity that a body takes
   double doubt = 0;             ///< what two evaluations of a velocity differ by at most, over the speeds before
+  DoubleDouble push;            ///< [mass unit / length unit^2] 2 mu / sigma^2, mu the reduced mass
+  double push_doubt = 0;        ///< [mass unit / length unit] of the impulse over sigma, over the speeds before
 };
 
 /// Places of partners are known to 2^-105 of the lengths that they are differences of, `extent` at most.
@@ -26,8 +28,48 @@ struct ElasticPair {
   pair.push_a = detail::share(ma, mb) * DoubleDouble(2.0) / pair.square;
   pair.push_b = detail::share(mb, ma) * DoubleDouble(2.0) / pair.square;
   pair.doubt = 0x1p-88 + 0x1p-100 * (extent / sigma);
+  const bool by_b = detail::infinite(ma);
+  pair.push = (by_b ? DoubleDouble(mb) : detail::share(ma, mb) * DoubleDouble(ma)) * DoubleDouble(2.0) / pair.square;
+  pair.push_doubt = 2 * pair.doubt * (by_b ? mb : ma) / sigma;
   return pair;
 }
+
+namespace detail {
+/// Sums over the components, their high and low parts apart, not normalised.
+struct ImpactSums {
+  DoubleDouble gr, rr;  ///< g.r, r.r
+  double speeds = 0;
+};
+template <int D>
+[[nodiscard]] CAROM_INLINE ImpactSums impact_sums(const double* high, const double* low, const double* va, const double* vb) {
+  ImpactSums sums;
+  double g[D], g_low[D];
+  for (int k = 0; k < D; ++k) {
+    const DoubleDouble difference = two_diff(va[k], vb[k]);
+    g[k] = difference.hi;
+    g_low[k] = difference.lo;
+    sums.speeds += std::fabs(va[k]) + std::fabs(vb[k]);
+  }
+  DoubleDouble &gr = sums.gr, &rr = sums.rr;
+  gr = two_prod(g[0], high[0]);
+  rr = two_prod(high[0], high[0]);
+  gr.lo += g[0] * low[0] + g_low[0] * high[0];
+  rr.lo += low[0] * (2 * high[0] + low[0]);
+  for (int k = 1; k < D; ++k) {
+    const DoubleDouble p = two_prod(g[k], high[k]), q = two_prod(high[k], high[k]);
+    const DoubleDouble s = two_sum(gr.hi, p.hi), t = two_sum(rr.hi, q.hi);
+    gr = {s.hi, (gr.lo + s.lo) + (p.lo + (g[k] * low[k] + g_low[k] * high[k]))};
+    rr = {t.hi, (rr.lo + t.lo) + (q.lo + low[k] * (2 * high[k] + low[k]))};
+  }
+  return sums;
+}
+
+/// hi + lo rounded, if `doubt` on either side makes no difference.
+[[nodiscard]] CAROM_INLINE bool rounds_alike(const DoubleDouble& x, double doubt, double& rounded) {
+  rounded = x.hi + x.lo;
+  return x.hi + (x.lo - doubt) == x.hi + (x.lo + doubt);
+}
+}  // namespace detail
 
 /// The velocities after an elastic impact, if they are certainly those of resolve_impact; else false, and nothing is known.
 /// r = high + low is the way from a's centre to b's, |low| <= 2^-50 of what it is a difference of. `excess` is r.r - sigma^2.
@@ -38,22 +80,7 @@ struct ElasticPair {
 template <int D>
 [[nodiscard]] CAROM_INLINE bool elastic_impact(const ElasticPair& pair, const double* high, const double* low, const double* va,
                                                const double* vb, double* after_a, double* after_b, double& excess) {
-  double g[D], g_low[D], speeds = 0;
-  for (int k = 0; k < D; ++k) {
-    const DoubleDouble difference = two_diff(va[k], vb[k]);
-    g[k] = difference.hi;
-    g_low[k] = difference.lo;
-    speeds += std::fabs(va[k]) + std::fabs(vb[k]);
-  }
-  DoubleDouble gr = two_prod(g[0], high[0]), rr = two_prod(high[0], high[0]);
-  gr.lo += g[0] * low[0] + g_low[0] * high[0];
-  rr.lo += 2 * high[0] * low[0];
-  for (int k = 1; k < D; ++k) {
-    const DoubleDouble p = two_prod(g[k], high[k]), q = two_prod(high[k], high[k]);
-    const DoubleDouble s = two_sum(gr.hi, p.hi), t = two_sum(rr.hi, q.hi);
-    gr = {s.hi, (gr.lo + s.lo) + (p.lo + (g[k] * low[k] + g_low[k] * high[k]))};
-    rr = {t.hi, (rr.lo + t.lo) + (q.lo + 2 * high[k] * low[k])};
-  }
+  const auto [gr, rr, speeds] = detail::impact_sums<D>(high, low, va, vb);
   excess = (rr.hi - pair.square.hi) + (rr.lo - pair.square.lo);
   const double d = excess * pair.per_square;
   const double doubt = pair.doubt * speeds;
@@ -75,6 +102,21 @@ template <int D>
   };
   change(pair.push_a, va, -1.0, after_a);
   if (after_b != nullptr) change(pair.push_b, vb, 1.0, after_b);
+  return certain;
+}
+
+/// The size of the impulse of an elastic impact, if it is certainly that of resolve_impact.
+template <int D>
+[[nodiscard]] CAROM_INLINE bool elastic_impulse(const ElasticPair& pair, const double* high, const double* low, const double* va,
+                                                const double* vb, double& impulse) {
+  const auto [gr, rr, speeds] = detail::impact_sums<D>(high, low, va, vb);
+  const double d = ((rr.hi - pair.square.hi) + (rr.lo - pair.square.lo)) * pair.per_square;
+  DoubleDouble f = two_prod(gr.hi, pair.push.hi);
+  f.lo += (gr.hi * pair.push.lo + gr.lo * pair.push.hi) - f.hi * d;
+  double per_length, square;
+  const bool certain =
+      detail::rounds_alike(f, pair.push_doubt * speeds, per_length) & detail::rounds_alike(rr, pair.doubt * rr.hi, square);
+  impulse = per_length * __builtin_sqrt(square);
   return certain;
 }
 

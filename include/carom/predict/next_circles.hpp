@@ -17,10 +17,11 @@ namespace carom {
 struct alignas(32) FourCircles {
   double x[lanes], y[lanes];  ///< [length unit] centres
   double sigma[lanes];        ///< [length unit] distance of a ball's centre at contact
-  double within = 0;          ///< [length unit^2] square of a way on which no circles are met but these and those before
-  std::uint32_t row[lanes];   ///< of the circles that the table was made from
-  std::int32_t image[lanes][2];
+  double within = 0;  ///< [length unit^2] square of a way on which no circles are met but these and those before
+  std::uint16_t row[lanes] = {};  ///< of the circles that the table was made from
+  std::int16_t image[lanes][2] = {};
 };
+static_assert(sizeof(FourCircles) == 128);
 
 /// For each circle, and each of 32 sectors of the direction in which a ball leaves it: the circles that the ball may meet,
 /// the nearest first, each where it stands. Which of them it does meet is decided by its contact times; a path that leads on
@@ -30,6 +31,8 @@ struct alignas(32) FourCircles {
 /// directions, and flies at least |D| - s - q before.
 class NextCircles {
  public:
+  static constexpr std::size_t most_circles = 64;  ///< of more there are no lists
+
   /// The circles that balls of this radius meet from outside, in a periodic space.
   NextCircles(const Space<double, 2>& space, const std::vector<Sphere<double, 2>>& circles, double radius);
 
@@ -38,6 +41,7 @@ class NextCircles {
   };
   /// After leaving circle `row`, as it stands in period `image` relative to a ball stored within the cell.
   [[nodiscard]] CAROM_INLINE Range from(std::uint32_t row, const Image<2>& image, const Vec<double, 2>& v) const {
+    if (row >= lowest_.size()) return {nullptr, nullptr};
     const std::uint32_t x = static_cast<std::uint32_t>(image[0] - lowest_[row][0]),
                         y = static_cast<std::uint32_t>(image[1] - lowest_[row][1]);
     if (x > 2 || y > 2) return {nullptr, nullptr};
@@ -57,7 +61,7 @@ class NextCircles {
   }
 
  private:
-  static constexpr std::uint32_t depth = 4;  ///< groups of four in a list
+  static constexpr std::uint32_t depth = 6;  ///< groups of four in a list
   static constexpr std::uint32_t sectors = 32;
   static constexpr std::uint32_t no_list = ~std::uint32_t{0};
 

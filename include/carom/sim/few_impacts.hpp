@@ -46,6 +46,13 @@ class FewImpacts {
     const Exactness<double>& known = run.collider->exactness;
     const double most = known.max_gap_error_relative * sigma;
     if (!(std::fabs(excess) < 1.96 * sigma * (most < known.max_gap_error ? most : known.max_gap_error))) return false;
+    FewImpact<D>& told = run.told;
+    if (run.tell != nullptr) {
+      if (!elastic_impulse<D>(slot.pair, high, low, va, vb, told.impulse)) return false;
+      note(run, told, 0, i, xa, t);
+      note(run, told, 1, j, xb, t);
+      told.image = slot.image;
+    }
     const Turns<D> turns_a = write(run, i, xa, after_a, t, Party::ball, j, 0);
     const Turns<D> turns_b = write(run, j, xb, after_b, t, Party::ball, i, 0);
     Contact<D>&own = run.world->details[i].contacts[0], &other = run.world->details[j].contacts[0];
@@ -58,6 +65,7 @@ class FewImpacts {
         other.image[k] = -own.image[k];
       }
     ++run.collider->counts.ball_ball;
+    if (run.tell != nullptr) run.tell(run);
     return true;
   }
   CAROM_INLINE static bool hit_wall(Run& run, std::uint32_t i, const Time<double>& t) {
@@ -66,11 +74,17 @@ class FewImpacts {
     const Ball& ball = run.world->balls[i];
     Exactness<double>& exactness = run.collider->exactness;
     double x[D], v[D];
+    FewImpact<D>& told = run.told;
     fly(ball, t, x);
     if (which < 2 * D) {  // the velocity across is turned round, exactly [papers/impact.md]
       const int axis = static_cast<int>(which / 2);
       for (int k = 0; k < D; ++k) v[k] = ball.velocity[k] + 0.0;
       v[axis] = -ball.velocity[axis];
+      if (run.tell != nullptr) {
+        note(run, told, 0, i, x, t);
+        told.impulse = 2 * std::fabs(ball.velocity[axis]) * run.world->details[i].mass;
+        for (int k = 0; k < D; ++k) told.from_wall[k] = k != axis ? 0.0 : which % 2 == 0 ? 1.0 : -1.0;
+      }
       const double gap = (which % 2 == 0 ? x[axis] - run.face[which] : run.face[which] - x[axis]) - ball.radius;
       note_gap(exactness, gap, ball.radius);
       const auto& face = run.world->walls.faces[static_cast<std::size_t>(run.face_row[which])];
@@ -85,6 +99,12 @@ class FewImpacts {
         old[k] = ball.velocity[k];
       }
       if (!elastic_impact<D>(run.sphere_pair[i][which - 2 * D], high, low, old, still, v, nullptr, excess)) return false;
+      if (run.tell != nullptr) {
+        if (!elastic_impulse<D>(run.sphere_pair[i][which - 2 * D], high, low, old, still, told.impulse)) return false;
+        note(run, told, 0, i, x, t);
+        for (int k = 0; k < D; ++k) told.from_wall[k] = -high[k];
+        told.image = run.wall[i].image;
+      }
       const double distance = __builtin_sqrt(square);
       note_gap(exactness, (sphere.inside ? sphere.radius - distance : distance - sphere.radius) - ball.radius, ball.radius);
       const Turns<D> turns = write(run, i, x, v, t, Party::wall, index(sphere.wall), sphere.feature);
@@ -93,11 +113,25 @@ class FewImpacts {
           run.world->details[i].contacts[0].image[k] = run.wall[i].image[k] - static_cast<std::int32_t>(turns[static_cast<std::size_t>(k)]);
     }
     ++run.collider->counts.ball_wall;
+    if (run.tell != nullptr) run.tell(run);
     return true;
   }
 
  private:
   static constexpr double most_periods = 64;  ///< detail::start_few relies on it
+
+  /// What a record tells of ball i as it was before.
+  CAROM_INLINE static void note(const Run& run, FewImpact<D>& told, int side, std::uint32_t i, const double* x,
+                                const Time<double>& t) {
+    told.time = t;
+    if (side == 0) told.low = i;
+    told.high = i;
+    for (int k = 0; k < D; ++k) {
+      told.at[side][k] = x[k];
+      told.before[side][k] = run.world->balls[i].velocity[k];
+    }
+    told.previous[side] = run.world->details[i].last_hit;
+  }
 
   CAROM_INLINE static void fly(const Ball& ball, const Time<double>& t, double* x) {
     const double s = elapsed(ball.time, t);

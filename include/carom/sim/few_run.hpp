@@ -28,6 +28,18 @@ enum class FewHalt : std::uint8_t {
   non_finite
 };
 
+/// An impact that the loop has carried out itself, for a record of it.
+template <int D>
+struct FewImpact {
+  Time<double> time;
+  std::uint32_t low = 0, high = 0;  ///< two balls, or twice the ball that has hit a wall
+  Image<D> image{};                         ///< of the partner, relative to the places before
+  double at[2][D] = {}, before[2][D] = {};  ///< places, not wrapped, and velocities before, of low and high
+  Time<double> previous[2];                 ///< their previous collisions
+  double from_wall[D] = {};                 ///< normal of the wall, of any length
+  double impulse = 0;
+};
+
 /// Balls in free flight, so few that the next meeting of every pair, and of every ball with the walls, is kept in a table: no
 /// event is ever stale, and the first is found by looking at all. The world is that of EventDriven and is kept as that keeps
 /// it, so either can go on from where the other stopped.
@@ -61,7 +73,9 @@ struct FewRun {
   Collider<Motion>* collider = nullptr;
   Verdict (*collide)(FewRun&, const Event<double, D>&) = nullptr;  ///< by the law's own code; tells the sink, if there is one
   void* sink = nullptr;
-  bool plain = false;  ///< nobody wants records, and the loop itself can carry out impacts
+  void (*tell)(FewRun&) = nullptr;  ///< tells the sink of what the loop has done; null: it wants no records
+  FewImpact<D> told;                ///< what that was
+  bool plain = false;  ///< the loop itself can carry out impacts
 
   Time<double> now;  ///< of the last collision
   std::uint32_t slots = 0;

@@ -1,7 +1,9 @@
 #pragma once
 // Units of a world: powers of two, so that converting never rounds.
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 namespace carom {
 
@@ -26,6 +28,12 @@ template <class Real>
 [[nodiscard]] inline Real scaled(const Real& x, int exponent) {
   using std::ldexp;
   return ldexp(x, exponent);
+}
+
+/// The same: one rounding, either way, where the result is subnormal.
+[[nodiscard]] inline double scaled(const double& x, int exponent) {
+  if (exponent < -1022 || exponent > 1023) return std::ldexp(x, exponent);
+  return x * std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
 }
 
 }  // namespace carom
