@@ -79,7 +79,8 @@ std::vector<Candidate> candidates(const Space<double, 2>& space, const std::vect
 
 }  // namespace
 
-NextCircles::NextCircles(const Space<double, 2>& space, const std::vector<Sphere<double, 2>>& circles, double radius) {
+NextCircles::NextCircles(const Space<double, 2>& space, const std::vector<Sphere<double, 2>>& circles, double radius,
+                         Of of) {
   if (circles.size() > most_circles) return;
   const double edge = space.edge.minCoeff();
   for (std::uint32_t row = 0; row < circles.size(); ++row) {
@@ -114,6 +115,7 @@ NextCircles::NextCircles(const Space<double, 2>& space, const std::vector<Sphere
       for (std::uint32_t s = 0; s < sectors; ++s)
         for (std::uint32_t group = 0; group < depth; ++group) {
           FourCircles& four = fours_.emplace_back();
+          FourShifts shift;
           const std::size_t first = group * lanes, next = first + lanes;
           const double clear = next < chosen[s].size() ? chosen[s][next]->clear : limit;
           four.within = std::pow(std::max(0.0, clear * (1 - slack) - edge * slack), 2);
@@ -128,13 +130,16 @@ NextCircles::NextCircles(const Space<double, 2>& space, const std::vector<Sphere
             const Candidate& c = *chosen[s][first + m];
             Image<2> n;
             for (int k = 0; k < 2; ++k) n[k] = image[k] + c.image[k];
-            const Vector centre = moved_by(space, circles[c.row], n).centre;
+            const Vector centre = of == Of::balls ? circles[c.row].centre : moved_by(space, circles[c.row], n).centre;
             four.x[m] = centre[0];
             four.y[m] = centre[1];
+            shift.x[m] = n[0] * space.edge[0];
+            shift.y[m] = n[1] * space.edge[1];
             four.sigma[m] = circles[c.row].radius + radius;
             four.row[m] = static_cast<std::uint16_t>(c.row);
             for (int k = 0; k < 2; ++k) four.image[m][k] = static_cast<std::int16_t>(n[k]);
           }
+          if (of == Of::balls) shifts_.push_back(shift);
         }
     }
   }

@@ -27,7 +27,7 @@ class FewIntegrator {
 
   FewIntegrator(World<double, D>&& world, const Motion& motion, Setup setup)
       : world_(std::move(world)), engine_(world_, motion, std::move(setup.search)), kernel_(few_kernel(world_, setup.vectors)) {
-    detail::survey_walls(*run_, world_);
+    detail::survey(*run_, world_);
     go_on(world_.start);
   }
   FewIntegrator(const FewIntegrator&) = delete;

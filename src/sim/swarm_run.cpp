@@ -10,6 +10,7 @@
 #include "carom/sim/measures.hpp"
 #include "carom/sim/recording.hpp"
 #include "carom/solve/quadratic.hpp"
+#include "machine.hpp"
 #include "swarm_targets.hpp"
 
 namespace carom {
@@ -403,16 +404,6 @@ template void tune_calendar(SwarmRun<2>&);
 template void tune_calendar(SwarmRun<3>&);
 
 }  // namespace detail
-
-namespace {
-bool machine_has_avx2() {
-#if defined(CAROM_HAVE_AVX2_TARGET)
-  return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
-#else
-  return false;
-#endif
-}
-}  // namespace
 
 template <int D>
 SwarmKernel<D> swarm_kernel(const Swarm<D>& swarm, [[maybe_unused]] bool vectors) {

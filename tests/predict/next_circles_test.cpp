@@ -87,7 +87,7 @@ TEST(NextCircles, hold_what_is_met_first) {
   std::mt19937_64 bits(7);
   const auto unit = [&bits] { return static_cast<double>(bits() >> 11) * 0x1p-53; };
   for (const Plane& p : planes) {
-    const NextCircles next(p.space, p.circles, p.radius);
+    const NextCircles next(p.space, p.circles, p.radius, NextCircles::Of::walls);
     int known_in_all = 0;
     for (int k = 0; k < 4000; ++k) {
       const std::uint32_t left = static_cast<std::uint32_t>(bits() % p.circles.size());

@@ -86,8 +86,11 @@ struct FewRun {
   std::array<std::vector<ElasticPair>, most_balls> sphere_pair;  ///< by ball and row of `spheres`
   bool other_walls = false;
   NearWalls<double, D> near_walls;             ///< of a period of a periodic space
-  std::vector<NextCircles> next_circles;       ///< in a periodic plane, by radius of the balls
-  std::array<std::uint32_t, most_balls> circles_of{};  ///< rows of next_circles
+  /// In a periodic plane, by radius of the balls: of the spheres, and of the balls that are fixed.
+  std::vector<NextCircles> next_circles, next_fixed;
+  std::array<std::uint32_t, most_balls> circles_of{};  ///< rows of both, by ball
+  std::vector<std::uint32_t> fixed;                    ///< ball numbers, by row of the circles of next_fixed
+  std::array<std::uint32_t, most_balls> fixed_row{};   ///< by ball; those that are not in `fixed`: beyond all rows
   std::int64_t passages = 0;  ///< columns gone through since the last collision
 
   std::array<Slot, most_slots> slot{};
@@ -138,9 +141,20 @@ template <int D>
 
 namespace detail {
 
-/// Looks at the walls of a periodic world, which stand still, once for the whole run.
+/// Sets the flight of a slot that is counted from `since`.
 template <int D>
-void survey_walls(FewRun<D>& run, const World<double, D>& world);
+inline void set_flight(FewRun<D>& run, std::uint32_t slot, double flight, const Time<double>& since) {
+  run.flight[slot] = flight;
+  run.due[slot] = (static_cast<double>(since.epoch - run.base) + since.offset) + flight;
+}
+
+/// Sorts the walls of a world into those that the loop knows and others.
+template <int D>
+void plan_walls(FewRun<D>& run, const World<double, D>& world);
+
+/// Looks at what stands still in a periodic world, once for the whole run.
+template <int D>
+void survey(FewRun<D>& run, const World<double, D>& world);
 
 /// Fills the table of a world anew; `collider` books what happens in it.
 template <int D>
@@ -149,6 +163,10 @@ void start_few(FewRun<D>& run, World<double, D>& world, Collider<FreeFlight<doub
 /// Predicts a pair, whatever their contacts and however close; goes on from the column of an unsettled slot.
 template <int D>
 void predict_pair(FewRun<D>& run, std::uint32_t slot);
+
+/// Flight of a pair to its meeting in one image.
+template <int D>
+[[nodiscard]] double flight_to_image(const FewRun<D>& run, std::uint32_t slot, const Image<D>& image);
 
 /// Predicts the walls of ball i, whatever its contacts; goes on from the period of an unsettled slot.
 template <int D>
