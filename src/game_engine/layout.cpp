@@ -76,7 +76,16 @@ class LayoutMaker {
     for (std::size_t i = 0; i < world_.balls.size(); ++i) add_body(i);
     for (const auto& f : world_.walls.faces) add_face(f);
     for (const auto& p : world_.walls.planes) add_plane(p);
-    if constexpr (D == 2) add_segments();
+    if constexpr (D == 2) {
+      add_segments();
+      for (const auto& s : world_.walls.arcs) add_foreign(s, "an arc");
+      for (const auto& s : world_.walls.ellipses) add_foreign(s, "an ellipse");
+      for (const auto& s : world_.walls.parabolas) add_foreign(s, "a parabola");
+      for (const auto& s : world_.walls.curves) add_foreign(s, "a curve r(theta)");
+    }
+    world_.walls.for_each([&](const auto& s) {
+      if (world_.walls.opens(index(s.wall)) && s.feature == 0) add_foreign(s, "an opening");
+    });
     if constexpr (D > 1)
       for (const auto& s : world_.walls.spheres)
         if (s.radius > 0) add_sphere(s);  // radius 0: an end of a segment
@@ -159,6 +168,11 @@ class LayoutMaker {
     p.velocity = speed(sphere.velocity);
     p.radius = length(sphere.radius);
     layout_.pieces.push_back(p);
+  }
+
+  template <class Shape>
+  void add_foreign(const Shape& shape, const char* what) {
+    layout_.foreign.push_back("wall " + world_.walls.labels[index(shape.wall)] + " is " + what);
   }
 
   void reach(const Point& x, double beyond) {

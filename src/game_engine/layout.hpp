@@ -66,6 +66,7 @@ struct Layout {
   Point acceleration{};
   std::vector<Body> bodies{};  ///< by ball number
   std::vector<Piece> pieces{};
+  std::vector<std::string> foreign{};  ///< what stands in the scene and in no engine: "wall 2 is an arc"
   RestitutionTable<double> restitution{};
   double extent = 0.0;          ///< largest coordinate of a ball or a wall
   double largest_radius = 0.0;  ///< of the balls

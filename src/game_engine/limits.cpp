@@ -130,6 +130,8 @@ std::vector<std::string> refusals(const Layout& layout, std::size_t number) {
   if (layout.space == SpaceKind::periodic) s.say("{} has no periodic space.", facts.title);
   if (layout.law == LawKind::stick) s.say("{} has no law \"stick\".", facts.title);
   if (layout.law == LawKind::merge) s.say("{} has no law \"merge\".", facts.title);
+  for (const std::string& wall : layout.foreign)
+    s.say("{} has straight walls and whole circles, and nothing passes them: {}.", facts.title, wall);
   if (!layout.bodies.empty() && layout.smallest_radius == 0) s.say("{} has no balls of radius 0.", facts.title);
   if (layout.extent > largest_extent)
     s.say("Coordinates of {} are too large for {} beside such small balls.", s.user(layout.extent), facts.title);

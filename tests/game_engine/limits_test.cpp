@@ -43,6 +43,16 @@ TEST(Limits, refuse_what_an_engine_does_not_have) {
   }
 }
 
+TEST(Limits, refuse_curved_walls_and_openings) {
+  const std::string walls = ball + "[[wall]]\nkind = \"segment\"\nfrom = [-9, 9]\nto = [9, 9]\nopening = true\n" +
+                            "[[wall]]\nkind = \"ellipse\"\ncentre = [0, 0]\naxes = [8, 7]\n" +
+                            "[[wall]]\nkind = \"arc\"\ncentre = [0, 0]\nradius = 20\nfrom_angle = 0\nto_angle = 3\n" +
+                            "[[wall]]\nkind = \"circle\"\ncentre = [0, 0]\nradius = 30\n";
+  for (const GameEngine& e : game_engines())
+    EXPECT_THAT(refused(walls, e.name), ElementsAre(HasSubstr("wall 2 is an arc"), HasSubstr("wall 1 is an ellipse"),
+                                                    HasSubstr("wall 0 is an opening")));
+}
+
 TEST(Limits, refuse_space_in_the_plane) {
   const std::string scene = "dimension = 3\nrun.until = 1\n[[ball]]\nposition = [0, 0, 0]\n";
   EXPECT_THAT(refused(scene, "box2d"), ElementsAre("Box2D is 2-dimensional, and the scene has 3 dimensions."));
