@@ -116,6 +116,12 @@ std::vector<std::string> limits(const Scene& scene) {
     list.push_back(
         "walls that swing: a contact time is the first root by a rigorous bracket, and the walls' places take sines of this "
         "machine's library; the same start at another time is another run, not the same bits shifted");
+  if (std::any_of(scene.walls.begin(), scene.walls.end(), [](const WallSpec& w) {
+        return w.kind == WallKind::ellipse || w.kind == WallKind::parabola || w.kind == WallKind::curve;
+      }))
+    list.push_back(
+        "ellipses, parabolas and curves: where a contact time has no closed form (a ball of some radius, a curve r(theta), a "
+        "magnetic field) it is the first root by a rigorous bracket, which takes sines of this machine's library");
   if (!dissipates(scene) || scene.collision.law != LawKind::restitution) return list;
   if (scene.collision.regularise == Regularise::rest && accelerated(scene)) {
     list.push_back(

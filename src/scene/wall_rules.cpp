@@ -145,10 +145,9 @@ void judge_motion(TableRules& rules, const WallSpec& w, const Scene& scene) {
   const bool simple = w.kind == WallKind::plane || w.kind == WallKind::segment || w.kind == WallKind::circle ||
                       w.kind == WallKind::polygon;
   const bool magnetic = scene.motion.magnetic && scene.motion.magnetic->value != 0;
-  if (magnetic && !simple && w.kind != WallKind::arc)
-    rules.found("kind", " is " + in_quotes(kind), "in a magnetic field it is not built", "", {{"motion", "magnetic"}});
-  if (magnetic && moves && w.kind == WallKind::arc)
-    rules.found("velocity", " moves an arc in a magnetic field", "that is not built", "Let it stand still", {{"motion", "magnetic"}});
+  if (magnetic && moves && !simple)
+    rules.found("velocity", " moves a wall of kind " + in_quotes(kind) + " in a magnetic field", "that is not built",
+                "Let it stand still", {{"motion", "magnetic"}});
   if (!w.oscillation) return;
   TableRules swing(rules.inner("oscillation"));
   const bool swings = swing.vector("amplitude", w.oscillation->amplitude, Presence::required) && !is_zero(w.oscillation->amplitude);

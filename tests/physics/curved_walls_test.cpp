@@ -157,8 +157,9 @@ std::vector<Place> places() {
 TEST(CurvedWalls, keep_energy_and_hold_points_and_balls) {
   for (const Place& place : places())
     for (const double radius : {0.0, 0.05})
-      for (const double pull : {0.0, 1.0}) {
-        Scene scene = with_walls(place.walls, radius, pull);
+      for (const double pull : {0.0, 1.0, -1.0}) {  // -1: a field, which turns by 1 a unit of time
+        Scene scene = with_walls(place.walls, radius, std::max(pull, 0.0));
+        if (pull < 0) scene.motion.magnetic = 1.0;
         scene.balls[0].position = {0.05, 0.2};
         const std::int64_t hits = scaled_count(1000);
         const Result r = run(scene, hits);
@@ -187,6 +188,25 @@ TEST(CurvedWalls, have_joints_that_let_nothing_out) {
         EXPECT_EQ(r.summary.exactness.singular, 0);
         for (const Collision& c : r.log)
           EXPECT_LE(std::max(std::abs(c.ball.position[0]), std::abs(c.ball.position[1])), 1 + 1e-12);
+      }
+}
+
+// A point that leaves a wall almost along it comes back to it a little further on, and never gets out.
+TEST(CurvedWalls, hold_points_that_run_along_them) {
+  for (const bool wavy : {false, true})
+    for (const double up : {1e-2, 1e-4, 1e-6})
+      for (const double field : {0.0, 0.3}) {
+        Scene scene = with_walls({wavy ? curve({1.0, 0.0, 0.02}) : ellipse(2.0, 1.0)}, 0.0);
+        if (field != 0) scene.motion.magnetic = field;
+        scene.balls = {ball({0.0, (wavy ? 0.98 : 1.0) - up}, {1.0, 0.0}, 0.0)};
+        const std::int64_t hits = scaled_count(500);
+        const Result r = run(scene, hits);
+        EXPECT_EQ(r.log.size(), static_cast<std::size_t>(hits)) << wavy << ' ' << up << ' ' << field;
+        for (const Collision& c : r.log) {
+          const double p = c.ball.position[0], q = c.ball.position[1], out = std::hypot(p, q);
+          const double form = wavy ? out - (1 + 0.02 * std::cos(2 * std::atan2(q, p))) : p * p / 4 + q * q - 1;
+          ASSERT_LE(std::abs(form), 1e-12) << wavy << ' ' << up << ' ' << field;
+        }
       }
 }
 

@@ -134,11 +134,4 @@ template <class M>
   return first;
 }
 
-/// Shapes that the rules of a scene refuse in a magnetic field.
-template <class M, class Shape>
-[[nodiscard]] inline SidedFlight<typename M::Real> flight_on_arc(const M&, const Ball<typename M::Real, 2>&, const Shape&,
-                                                                 const Contact<2>*) {
-  return {never<typename M::Real>(), 0};
-}
-
 }  // namespace carom

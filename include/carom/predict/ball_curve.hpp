@@ -16,25 +16,24 @@ namespace detail {
 
 /// Whether a ball that is at the curve from the outset, at u, meets it now. n: towards the ball; `resolved`: their contact
 /// has just been resolved, so that closing by no more than rounding counts as 0.
-template <class Real, Traced<Real> Curve>
-[[nodiscard]] inline bool closes_now(const Curve& curve, const ParabolicPath<Real>& path, const Vec<Real, 2>& n, const Real& u,
-                                     bool resolved) {
-  const Real rate = dot<Real, 2>(n, path.v), pull = dot<Real, 2>(n, path.a);
+template <class Real, Traced<Real> Curve, class Path>
+[[nodiscard]] inline bool closes_now(const Curve& curve, const Path& path, const Vec<Real, 2>& n, const Real& u, bool resolved) {
+  const Real rate = dot<Real, 2>(n, path.v), pull = dot<Real, 2>(n, path.acceleration());
   if (!resolved) return rate < 0 || (rate == 0 && pull < 0);
   if (rate > 0) return false;
   const Real doubt = 16 * unit_roundoff<Real>() * length_of<Real>(n) * length_of<Real>(path.v);
   if (rate < -doubt) return true;
   // Pressed: to second order the curve comes to meet the ball, or the ball the curve.
-  const Vec<Real, 2> along = curve.along(u);
-  const Real ahead = dot<Real, 2>(along, path.v), stretch = dot<Real, 2>(along, along);
-  return pull * stretch * stretch < dot<Real, 2>(n, curve.bend(u)) * ahead * ahead;
+  const TracedFrame<Real> at = curve.frame(u);
+  const Real ahead = dot<Real, 2>(at.along, path.v), stretch = dot<Real, 2>(at.along, at.along);
+  return pull * stretch * stretch < dot<Real, 2>(n, at.bend) * ahead * ahead;
 }
 
-/// By bounds [papers/curved_walls.md]. `side`: the one that a point is on, +1 to the left of the curve; 0: not known, the
+/// By bounds [papers/curved_walls.md]. `side`: the one that the ball is on, +1 to the left of the curve; 0: not known, the
 /// one that its velocity points to.
-template <class Real, Traced<Real> Curve>
-[[nodiscard]] SidedFlight<Real> traced_flight(const Curve& curve, const ParabolicPath<Real>& path, const Real& radius,
-                                              Touch touch, std::int8_t side) {
+template <class Real, Traced<Real> Curve, class Path>
+[[nodiscard]] SidedFlight<Real> traced_flight(const Curve& curve, const Path& path, const Real& radius, Touch touch,
+                                              std::int8_t side) {
   const auto left_of = [&curve](const Real& u) {
     const Vec<Real, 2> along = curve.along(u);
     return Vec<Real, 2>(-along[1], along[0]);
@@ -46,7 +45,8 @@ template <class Real, Traced<Real> Curve>
     if (side == 0) return false;
     return closes_now<Real>(curve, path, Vec<Real, 2>(left_of(u) * Real(side)), u, touch == Touch::spent);
   };
-  const TracedMeeting<Real> found = first_meeting<Real>(curve, path, radius, starts);
+  const TracedMeeting<Real> found =
+      FirstMeeting<Real, Curve, Path, decltype(starts)>(curve, path, radius, side, starts).find();
   if (found.time == never<Real>()) return {never<Real>(), 0};
   const Vec<Real, 2> left = left_of(found.parameter);
   const Real from_left = radius > 0

@@ -6,6 +6,7 @@
 #include "carom/predict/ball_arc.hpp"
 #include "carom/predict/ball_curve.hpp"
 #include "carom/predict/contact.hpp"
+#include "carom/predict/curve_on_arc.hpp"
 #include "carom/predict/event.hpp"
 #include "carom/predict/leaving.hpp"
 #include "carom/predict/swinging_wall.hpp"

@@ -4,31 +4,20 @@
 // A ball of radius s meets a piece of the curve no earlier than its centre comes within s + bulge of the piece's chord: a
 // convex region. From outside of it the centre cannot be in it before it has come down to the plane that touches the region
 // nearest to it [papers/curved_walls.md, eq. 5]. So every piece has a time before which it is not met, each look at the piece
-// moves that on, and the piece with the earliest is looked at first: advanced, or halved. The first whose bulge is below
-// rounding and that is reached is the answer, and no other piece is met before it. The ends of the curve are those of its
-// first and last piece: the curve's own vertices. [Mirtich1996 calls the advance conservative.]
+// moves that on, and the piece with the earliest is looked at first. Where the path crosses the directions of a whole piece one
+// way, the piece is met at most once [eq. 7], and Newton's method finds that meeting; it ends the search when no other piece
+// can be met before it. What cannot be told so is halved, until its bulge is below rounding: then reached is met. The ends of
+// the curve are those of its first and last piece: the curve's own vertices. [Mirtich1996 calls the advance conservative.]
+
+#include <cmath>
+#include <optional>
 
 #include "carom/core/real.hpp"
-#include "carom/shape/traced.hpp"
-#include "carom/solve/gap.hpp"
+#include "carom/predict/one_meeting.hpp"
+#include "carom/predict/traced_path.hpp"
+#include "carom/shape/nearest.hpp"
 
 namespace carom {
-
-/// x + v t + a t^2 / 2, relative to the centre of a curve.
-template <class Real>
-struct ParabolicPath {
-  Vec<Real, 2> x, v, a;
-
-  [[nodiscard]] Vec<Real, 2> at(const Real& t) const { return x + (v + a * (t / 2)) * t; }
-  [[nodiscard]] Vec<Real, 2> velocity(const Real& t) const { return v + a * t; }
-  /// First time >= t at which n.x falls to `level`.
-  [[nodiscard]] Real down_to(const Real& t, const Vec<Real, 2>& n, const Real& level) const {
-    const Vec<Real, 2> now = at(t);
-    const Real fall = first_fall(Real(dot<Real, 2>(n, now) - level), dot<Real, 2>(n, velocity(t)),
-                                 Real(dot<Real, 2>(n, a) / 2));
-    return fall == never<Real>() ? fall : Real(t + fall);
-  }
-};
 
 /// When, and where on the curve; time `never`: not at all.
 template <class Real>
@@ -46,7 +35,7 @@ template <class Real, Traced<Real> Curve, class Path>
   TracedMeeting<Real> next = found;
   for (int i = 0; i < 4; ++i) {
     const Vec<Real, 2> x = path.at(next.time);
-    next.parameter = squared_up<Real>(curve, x, next.parameter);
+    next.parameter = detail::squared_up<Real>(curve, x, next.parameter);
     Vec<Real, 2> n = x - curve.place(next.parameter);
     const Real distance = length_of<Real>(n);
     Real gap = distance - radius;
@@ -71,37 +60,152 @@ template <class Real, Traced<Real> Curve, class Path>
   return found;
 }
 
-/// The first meeting at or after time 0. `starts(u)` is asked where the ball is at the curve from the outset, within
-/// rounding: whether that is a meeting now.
+/// The search for the first meeting at or after time 0. `starts(u)` is asked where the ball is at the curve from the outset,
+/// within rounding: whether that is a meeting now. `home`: the side of the curve that the ball is on, +1 the left; 0: not known.
+/// Balls stay on the home side of a closed curve.
 template <class Real, Traced<Real> Curve, class Path, class Starts>
-[[nodiscard]] TracedMeeting<Real> first_meeting(const Curve& curve, const Path& path, const Real& radius, Starts&& starts) {
-  const Real doubt = traced_doubt<Real>(curve, path.at(Real(0))), bend = curve.bend_bound();
-  TracedPieces<Real> pieces(curve, Real(0));
-  while (!pieces.empty()) {
-    TracedPiece<Real> p = pieces.pop();
-    const Real bulge = p.bulge(bend), reach = radius + bulge;
-    const Vec<Real, 2> x = path.at(p.bound), foot = nearest_on_chord(x, p.first, p.last), r = x - foot;
-    const Real distance = length_of<Real>(r);
-    if (distance > reach + doubt) {
-      const Vec<Real, 2> n = r / distance;
-      const Real next = path.down_to(p.bound, n, Real(dot<Real, 2>(n, foot) + reach));
-      if (next == never<Real>()) continue;
-      if (next > p.bound) {
-        p.bound = next;
-        pieces.push(p);
-        continue;
+class FirstMeeting {
+ public:
+  FirstMeeting(const Curve& curve, const Path& path, const Real& radius, std::int8_t home, const Starts& starts)
+      : curve_(curve),
+        path_(path),
+        radius_(radius),
+        home_(home),
+        starts_(starts),
+        bend_(curve.bend_bound()),
+        doubt_(traced_doubt<Real>(curve, path.at(Real(0)))),
+        period_(path.period()),
+        finest_(64 * unit_roundoff<Real>() * (curve.end() - curve.begin())),
+        pieces_(curve, Real(0)) {}
+
+  [[nodiscard]] TracedMeeting<Real> find() {
+    while (!pieces_.empty()) {
+      TracedPiece<Real> p = pieces_.pop();
+      if (!(p.bound < first_.time) || !(p.bound <= period_)) break;
+      if (!advance(p) && !settle(p)) divide(p);
+    }
+    return first_;
+  }
+
+ private:
+  /// Moves on the time before which the piece is not met, while its region is not reached. True: nothing is left to be done now.
+  [[nodiscard]] bool advance(TracedPiece<Real>& p) {
+    const Real reach = radius_ + p.bulge(bend_);
+    while (true) {
+      const Vec<Real, 2> x = path_.at(p.bound);
+      const std::optional<Plane> plane = plane_before(p, x, reach);
+      if (!plane) return false;
+      const Real next = path_.down_by(p.bound, plane->n, plane->gap);
+      if (!(next < first_.time) || !(next <= period_)) return true;
+      if (!(next > p.bound)) return false;
+      p.bound = next;
+      if (!pieces_.empty() && pieces_.least_bound() < next) {
+        pieces_.push(p);
+        return true;
       }
     }
+  }
+
+  /// A line that x is over by `gap`, and the region of the piece is not; n a unit vector.
+  struct Plane {
+    Vec<Real, 2> n;
+    Real gap;
+  };
+  /// The one that touches the region nearest to x. It is put where it touches the region whatever its direction, which rounding may
+  /// have turned: that of a chord is known better than that of a short way to it.
+  [[nodiscard]] std::optional<Plane> plane_before(const TracedPiece<Real>& p, const Vec<Real, 2>& x, const Real& reach) const {
+    const Vec<Real, 2> chord = p.last - p.first, from_first = x - p.first, from_last = x - p.last;
+    const auto plane = [&](const Vec<Real, 2>& n) {
+      const Real over_first = dot<Real, 2>(n, from_first), over_last = dot<Real, 2>(n, from_last);
+      return Plane{n, Real((over_first < over_last ? over_first : over_last) - reach)};
+    };
+    const Real before = dot<Real, 2>(chord, from_first), beyond = dot<Real, 2>(chord, from_last);
+    if (!(before > 0) || !(beyond < 0)) {
+      const Vec<Real, 2> r = before > 0 ? from_last : from_first;
+      const Real distance = length_of<Real>(r);
+      if (!(distance > reach + doubt_)) return std::nullopt;
+      const Plane at_end = plane(Vec<Real, 2>(r / distance));
+      if (at_end.gap > doubt_) return at_end;
+    }
+    const Real length = length_of<Real>(chord);
+    if (!(length > 0)) return std::nullopt;
+    Vec<Real, 2> n(-chord[1] / length, chord[0] / length);
+    if (dot<Real, 2>(n, from_first) < 0) n = -n;
+    const Plane along = plane(n);
+    if (along.gap > doubt_) return along;
+    return std::nullopt;
+  }
+
+  /// Whether all is known of the piece: its one meeting, or that it has none for so long.
+  [[nodiscard]] bool settle(TracedPiece<Real>& p) {
+    crosses_ = true;
+    if (radius_ > 0 && !curve_.closed() && (!(p.from > curve_.begin()) || !(p.to < curve_.end()))) return false;  // its ends
+    OneMeeting<Real, Curve, Path> one(curve_, path_, radius_, p);
+    bends_ = one.bends();
+    const auto open = [&] {
+      crosses_ = one.crosses();
+      return false;
+    };
+    if (!one.at_most()) return open();
+    if (curve_.closed() && one.side() != home_) return later(p, Real(p.bound + one.holds_for()));
+    if (!one.find(doubt_) || !one.at_most_with_it()) return open();
+    const Real t = one.time(), until = t + one.holds_for(), gap = t * one.closing();
+    if (!(t - one.holds_for() <= p.bound)) return false;
+    if (gap <= doubt_ && gap >= -outset * doubt_) {  // at the curve from the outset
+      if (home_ != 0 && one.side() != home_) return later(p, until);
+      if (p.bound == 0 && starts_(one.parameter())) {
+        first_ = {Real(0), one.parameter()};
+        return true;
+      }
+    }
+    if (!(t > 0) || !is_on(one.parameter())) return later(p, until);
+    if (t < first_.time) first_ = {t, one.parameter()};
+    return true;
+  }
+  /// A point past an end by no more than rounding is on the curve still: it does not slip through a joint.
+  [[nodiscard]] bool is_on(const Real& u) const {
+    if (curve_.closed()) return true;
+    const Real margin = doubt_ / length_of<Real>(curve_.along(u));
+    return u >= curve_.begin() - margin && u <= curve_.end() + margin;
+  }
+  [[nodiscard]] bool later(TracedPiece<Real>& p, const Real& until) {
+    if (!(until > p.bound)) return false;
+    p.bound = until;
+    if (until < period_) pieces_.push(p);
+    return true;
+  }
+
+  void divide(TracedPiece<Real>& p) {
+    // Almost along the curve a path may leave it and meet it again within rounding of it: only directions tell where.
+    const bool tangential = !crosses_ && p.to - p.from > finest_;
+    if (p.bulge(bend_) > doubt_ || tangential) return pieces_.push_halves(curve_, p);
     const Real middle = (p.from + p.to) / 2;
-    if (bulge > doubt) {
-      pieces.push_halves(curve, p);
-    } else if (p.bound > 0) {
-      return sharpened<Real>(curve, path, radius, {p.bound, middle});
-    } else if (starts(middle)) {
-      return {Real(0), middle};
+    if (p.bound > 0) {
+      if (!crosses_ && bends_) return;  // passes by
+      const TracedMeeting<Real> met = sharpened<Real>(curve_, path_, radius_, {p.bound, middle});
+      if (met.time < first_.time) first_ = met;
+    } else if (starts_(middle)) {
+      first_ = {Real(0), middle};
+    } else if (period_ < never<Real>()) {  // a circle is far from its beginning half-way
+      p.bound = period_ / 2;
+      pieces_.push(p);
     }
   }
-  return {never<Real>(), Real(0)};
-}
+
+  // An overlap of so many doubts is still that of a ball at the curve, which rounding has put there.
+  static constexpr int outset = 1024;
+
+  const Curve& curve_;
+  const Path& path_;
+  const Real& radius_;
+  std::int8_t home_;
+  const Starts& starts_;
+  Real bend_, doubt_, period_;
+  Real finest_;  // rounding of the parameter
+  // Of the piece in hand: the path crosses its directions one way, and it bends one way.
+  bool crosses_ = false, bends_ = false;
+  TracedPieces<Real> pieces_;
+  TracedMeeting<Real> first_{never<Real>(), Real(0)};
+};
 
 }  // namespace carom

@@ -6,7 +6,7 @@
 #include "carom/core/angle.hpp"
 #include "carom/core/id.hpp"
 #include "carom/shape/arclength.hpp"
-#include "carom/shape/traced.hpp"
+#include "carom/shape/nearest.hpp"
 
 namespace carom {
 
@@ -30,11 +30,6 @@ struct Ellipse {
   [[nodiscard]] Vec<Real, 2> turned(const Real& along, const Real& across) const {
     return Vec<Real, 2>(axis[0] * along - axis[1] * across, axis[1] * along + axis[0] * across);
   }
-  /// Outwards at a place on it, of any length.
-  [[nodiscard]] Vec<Real, 2> outward(const Vec<Real, 2>& r) const {
-    const Vec<Real, 2> c = rounded(r);
-    return turned(Real(c[0] / a), Real(c[1] / b));
-  }
   /// The parameter of the place that is reached by stretching r.
   [[nodiscard]] Real parameter(const Vec<Real, 2>& r) const { return angle_of<Real>(rounded(r)); }
 
@@ -49,11 +44,18 @@ struct Ellipse {
     using std::sin;
     return turned(Real(-a * sin(u)), Real(b * cos(u)));
   }
-  [[nodiscard]] Vec<Real, 2> bend(const Real& u) const { return -place(u); }
+  [[nodiscard]] TracedFrame<Real> frame(const Real& u) const {
+    using std::cos;
+    using std::sin;
+    const Real c = cos(u), s = sin(u);
+    const Vec<Real, 2> place = turned(Real(a * c), Real(b * s));
+    return {place, turned(Real(-a * s), Real(b * c)), Vec<Real, 2>(-place)};
+  }
   [[nodiscard]] Real begin() const { return Real(0); }
   [[nodiscard]] Real end() const { return round; }
   [[nodiscard]] bool closed() const { return true; }
   [[nodiscard]] Real bend_bound() const { return a < b ? b : a; }
+  [[nodiscard]] Real twist_bound() const { return a < b ? b : a; }
   [[nodiscard]] Real size() const { return a < b ? b : a; }
 
   [[nodiscard]] std::int8_t home() const { return inside ? 1 : -1; }

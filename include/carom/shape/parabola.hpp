@@ -5,7 +5,7 @@
 
 #include "carom/core/id.hpp"
 #include "carom/shape/arclength.hpp"
-#include "carom/shape/traced.hpp"
+#include "carom/shape/nearest.hpp"
 
 namespace carom {
 
@@ -43,11 +43,14 @@ struct Parabola {
   // Traced.
   [[nodiscard]] Vec<Real, 2> place(const Real& u) const { return turned(Real(u * u / (4 * focal_length)), Real(-u)); }
   [[nodiscard]] Vec<Real, 2> along(const Real& u) const { return turned(Real(u / (2 * focal_length)), Real(-1)); }
-  [[nodiscard]] Vec<Real, 2> bend(const Real&) const { return axis / Real(2 * focal_length); }
+  [[nodiscard]] TracedFrame<Real> frame(const Real& u) const {
+    return {place(u), along(u), Vec<Real, 2>(axis / Real(2 * focal_length))};
+  }
   [[nodiscard]] Real begin() const { return -half_width; }
   [[nodiscard]] Real end() const { return half_width; }
   [[nodiscard]] bool closed() const { return false; }
   [[nodiscard]] Real bend_bound() const { return 1 / (2 * focal_length); }
+  [[nodiscard]] Real twist_bound() const { return Real(0); }
   [[nodiscard]] Real size() const { return half_width + half_width * half_width / (4 * focal_length); }
 
   /// Distance to it.

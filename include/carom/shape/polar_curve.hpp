@@ -7,7 +7,7 @@
 #include "carom/core/angle.hpp"
 #include "carom/core/id.hpp"
 #include "carom/shape/arclength.hpp"
-#include "carom/shape/traced.hpp"
+#include "carom/shape/nearest.hpp"
 
 namespace carom {
 
@@ -61,19 +61,21 @@ struct PolarCurve {
     const Radius at = radius_at(c, s);
     return turned(Real(at.rate * c - at.r * s), Real(at.rate * s + at.r * c));
   }
-  [[nodiscard]] Vec<Real, 2> bend(const Real& u) const {
+  [[nodiscard]] TracedFrame<Real> frame(const Real& u) const {
     using std::cos;
     using std::sin;
     const Real c = cos(u), s = sin(u);
     const Radius at = radius_at(c, s);
     const Real outward = at.bend - at.r, across = 2 * at.rate;
-    return turned(Real(outward * c - across * s), Real(outward * s + across * c));
+    return {turned(Real(at.r * c), Real(at.r * s)), turned(Real(at.rate * c - at.r * s), Real(at.rate * s + at.r * c)),
+            turned(Real(outward * c - across * s), Real(outward * s + across * c))};
   }
   [[nodiscard]] Real begin() const { return Real(0); }
   [[nodiscard]] Real end() const { return round; }
   [[nodiscard]] bool closed() const { return true; }
-  /// |y''| <= sum of (k + 1)^2 |c_k| [papers/curved_walls.md, eq. 6].
+  /// |y''| <= sum of (k + 1)^2 |c_k|, |y'''| <= sum of (k + 1)^3 |c_k| [papers/curved_walls.md, eq. 6].
   [[nodiscard]] Real bend_bound() const { return summed([](const Real& n) { return Real((n + 1) * (n + 1)); }); }
+  [[nodiscard]] Real twist_bound() const { return summed([](const Real& n) { return Real((n + 1) * (n + 1) * (n + 1)); }); }
   [[nodiscard]] Real size() const { return summed([](const Real&) { return Real(1); }); }
 
   /// +1: balls are to the left of who walks it anticlockwise, which is its inside.

@@ -1,5 +1,5 @@
 #pragma once
-// Curves that are traced by a parameter: what is known of a piece of one, and the place on one that is nearest to a point.
+// Curves that are traced by a parameter, and what is known of a piece of one.
 //
 // Between u0 and u1 a curve y(u) with |y''| <= M is nowhere further than M (u1 - u0)^2 / 8 from its chord
 // [papers/curved_walls.md, eq. 4]. So a piece lies in a capsule about its chord, and four times nearer to it after each
@@ -8,22 +8,32 @@
 #include <algorithm>
 #include <cmath>
 #include <concepts>
+#include <cstdint>
 #include <vector>
 
 #include "carom/core/vec.hpp"
 
 namespace carom {
 
-/// y(u), begin() <= u <= end(), relative to a centre; along(u) = y'(u), bend(u) = y''(u), |y''| <= bend_bound().
-/// size(): no place on it is further from the centre.
+/// y, y' and y'' at one value of the parameter.
+template <class Real>
+struct TracedFrame {
+  Vec<Real, 2> place, along, bend;
+
+  [[nodiscard]] Vec<Real, 2> left() const { return Vec<Real, 2>(-along[1], along[0]); }
+};
+
+/// y(u), begin() <= u <= end(), relative to a centre; along(u) = y'(u); |y''| <= bend_bound(), |y'''| <= twist_bound().
+/// size(): no place on it is further from the centre. A curve goes on beyond its ends with the same bounds.
 template <class C, class Real>
 concept Traced = requires(const C& c, const Real& u) {
   { c.place(u) } -> std::convertible_to<Vec<Real, 2>>;
   { c.along(u) } -> std::convertible_to<Vec<Real, 2>>;
-  { c.bend(u) } -> std::convertible_to<Vec<Real, 2>>;
+  { c.frame(u) } -> std::convertible_to<TracedFrame<Real>>;
   { c.begin() } -> std::convertible_to<Real>;
   { c.end() } -> std::convertible_to<Real>;
   { c.bend_bound() } -> std::convertible_to<Real>;
+  { c.twist_bound() } -> std::convertible_to<Real>;
   { c.size() } -> std::convertible_to<Real>;
   { c.closed() } -> std::convertible_to<bool>;
 };
@@ -48,27 +58,32 @@ class TracedPieces {
   template <class Curve>
   TracedPieces(const Curve& curve, const Real& bound) {
     pieces_.reserve(64);
+    order_.reserve(64);
     const Real width = (curve.end() - curve.begin()) / Real(pieces_at_first);
     Real from = curve.begin();
-    Vec<Real, 2> first = curve.place(from);
+    const Vec<Real, 2> begin = curve.place(from);
+    Vec<Real, 2> first = begin;
     for (int i = 0; i < pieces_at_first; ++i) {
       const Real to = i + 1 == pieces_at_first ? Real(curve.end()) : Real(curve.begin() + Real(i + 1) * width);
-      const Vec<Real, 2> last = curve.closed() && i + 1 == pieces_at_first ? curve.place(curve.begin()) : curve.place(to);
+      const Vec<Real, 2> last = curve.closed() && i + 1 == pieces_at_first ? begin : curve.place(to);
       push({bound, from, to, first, last});
       from = to;
       first = last;
     }
   }
 
-  [[nodiscard]] bool empty() const { return pieces_.empty(); }
+  [[nodiscard]] bool empty() const { return order_.empty(); }
+  /// No piece has a smaller bound.
+  [[nodiscard]] const Real& least_bound() const { return order_.front().bound; }
   void push(const TracedPiece<Real>& p) {
+    order_.push_back({p.bound, p.from, static_cast<std::uint32_t>(pieces_.size())});
     pieces_.push_back(p);
-    std::push_heap(pieces_.begin(), pieces_.end(), later);
+    std::push_heap(order_.begin(), order_.end(), later);
   }
   [[nodiscard]] TracedPiece<Real> pop() {
-    std::pop_heap(pieces_.begin(), pieces_.end(), later);
-    const TracedPiece<Real> p = pieces_.back();
-    pieces_.pop_back();
+    std::pop_heap(order_.begin(), order_.end(), later);
+    const TracedPiece<Real> p = pieces_[order_.back().place];
+    order_.pop_back();
     return p;
   }
   template <class Curve>
@@ -80,10 +95,15 @@ class TracedPieces {
   }
 
  private:
-  [[nodiscard]] static bool later(const TracedPiece<Real>& a, const TracedPiece<Real>& b) {
+  struct Place {
+    Real bound, from;
+    std::uint32_t place;
+  };
+  [[nodiscard]] static bool later(const Place& a, const Place& b) {
     return a.bound > b.bound || (a.bound == b.bound && a.from > b.from);
   }
   std::vector<TracedPiece<Real>> pieces_;
+  std::vector<Place> order_;
 };
 
 /// The place on the chord a-b that is nearest to x.
@@ -107,46 +127,6 @@ template <class Real, Traced<Real> Curve>
 [[nodiscard]] inline Real traced_doubt(const Curve& curve, const Vec<Real, 2>& x) {
   using std::abs;
   return 16 * unit_roundoff<Real>() * (curve.size() + abs(x[0]) + abs(x[1]));
-}
-
-/// The place where r = x - y(u) stands square on the curve, near u: Newton's method, as long as it comes nearer. Ends stay.
-template <class Real, Traced<Real> Curve>
-[[nodiscard]] inline Real squared_up(const Curve& curve, const Vec<Real, 2>& x, Real u) {
-  using std::abs;
-  Real last = infinity<Real>();
-  for (int i = 0; i < 8; ++i) {
-    const Vec<Real, 2> r = x - curve.place(u), along = curve.along(u);
-    const Real slant = dot<Real, 2>(r, along), slope = dot<Real, 2>(r, curve.bend(u)) - dot<Real, 2>(along, along);
-    if (!(slope < 0)) return u;
-    const Real step = slant / slope;
-    if (!(2 * abs(step) < last)) return u;
-    last = abs(step);
-    Real next = u - step;
-    if (!curve.closed()) next = std::clamp<Real>(next, curve.begin(), curve.end());
-    if (next == u) return u;
-    u = next;
-  }
-  return u;
-}
-
-/// The parameter of the place on the curve that is nearest to x (relative to the curve's centre).
-template <class Real, Traced<Real> Curve>
-[[nodiscard]] Real nearest_on(const Curve& curve, const Vec<Real, 2>& x) {
-  const Real doubt = traced_doubt<Real>(curve, x), bend = curve.bend_bound();
-  TracedPieces<Real> pieces(curve, Real(0));
-  while (true) {
-    TracedPiece<Real> p = pieces.pop();
-    const Real bulge = p.bulge(bend);
-    const Real bound = length_of<Real>(Vec<Real, 2>(x - nearest_on_chord(x, p.first, p.last))) - bulge;
-    if (bound > p.bound) {  // not looked at so far
-      p.bound = bound;
-      pieces.push(p);
-    } else if (bulge <= doubt) {
-      return squared_up<Real>(curve, x, Real((p.from + p.to) / 2));
-    } else {
-      pieces.push_halves(curve, p);
-    }
-  }
 }
 
 }  // namespace carom

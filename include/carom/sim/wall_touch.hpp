@@ -56,7 +56,7 @@ template <class Real, class Curve>
 [[nodiscard]] inline Real traced_curvature(const Curve& curve, const Real& u, std::int8_t side) {
   const Vec<Real, 2> along = curve.along(u);
   const Real stretch = length_of<Real>(along);
-  return -Real(side) * cross2<Real>(along, curve.bend(u)) / (stretch * stretch * stretch);
+  return -Real(side) * cross2<Real>(along, curve.frame(u).bend) / (stretch * stretch * stretch);
 }
 
 template <class Real, int D, class Shape>
