@@ -169,12 +169,11 @@ class Collider {
       impact.vb = wall_velocity(world, shape, now);
       const Vector at = x - wall_drift(world, shape, now);
       const WallTouch<Real, D> place = touch_at<Real, D>(placed, at, radius, event.side);
-      Vector n = place.normal;
+      impact.r = place.into_wall;
       if (place.singular) {  // a point at a vertex is sent back
         ++exactness.singular;
-        n = -(impact.va - impact.vb);
+        for (int k = 0; k < D; ++k) impact.r[k] = W(Real(impact.va[k] - impact.vb[k]));
       }
-      for (int k = 0; k < D; ++k) impact.r[k] = W(Real(-n[k]));
       gap = note_gap(exactness, place.gap, radius);
       if (flat_number(world.walls, shape) != 0) support = Support::corner;
     });

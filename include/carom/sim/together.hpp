@@ -118,10 +118,10 @@ class TogetherMaker {
       impact.vb = wall_velocity(world_, shape, now_);
       const Vector at = a.position - wall_drift(world_, shape, now_);
       const WallTouch<Real, D> place = touch_at<Real, D>(placed, at, c.radii, c.event.side);
-      Vector n = place.normal;
+      impact.r = place.into_wall;
       c.singular = place.singular;
-      if (c.singular) n = -(impact.va - impact.vb);
-      for (int k = 0; k < D; ++k) impact.r[k] = W(Real(-n[k]));
+      if (c.singular)
+        for (int k = 0; k < D; ++k) impact.r[k] = W(Real(impact.va[k] - impact.vb[k]));
       c.gap = place.gap;
       flat = flat_number(world_.walls, shape) != 0;
     });

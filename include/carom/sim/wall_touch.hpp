@@ -1,6 +1,9 @@
 #pragma once
 // How a ball touches a wall at a place: the direction of the impulse, the gap left, and the shape of the wall there.
 
+#include <array>
+
+#include "carom/core/double_double.hpp"
 #include "carom/shape/curved.hpp"
 #include "carom/sim/wall_party.hpp"
 
@@ -9,9 +12,15 @@ namespace carom {
 /// A ball's centre at a wall, in the frame of the wall.
 template <class Real, int D>
 struct WallTouch {
-  Vec<Real, D> normal;    ///< towards the ball, of any length
-  Real gap;               ///< [length unit] between the surfaces
-  bool singular = false;  ///< a point at a vertex or a cusp: there is no normal
+  std::array<Wide<Real>, D> into_wall;  ///< from the ball to the wall, of any length
+  Real gap;                             ///< [length unit] between the surfaces
+  bool singular = false;                ///< a point at a vertex or a cusp: there is no normal
+
+  WallTouch(const std::array<Wide<Real>, D>& direction, const Real& between) : into_wall(direction), gap(between) {}
+  /// n: towards the ball.
+  WallTouch(const Vec<Real, D>& n, const Real& between, bool no_normal) : gap(between), singular(no_normal) {
+    for (int k = 0; k < D; ++k) into_wall[k] = Wide<Real>(Real(-n[k]));
+  }
 };
 
 template <class Real, int D, class Shape>
@@ -28,6 +37,20 @@ template <class Real>
   return {Vec<Real, 2>(arc.normal(at) * Real(side)), Real(abs(arc.height(at)) - radius), false};
 }
 
+/// A point at an ellipse; what its place is off the ellipse is off by a rounding.
+template <class Real>
+[[nodiscard]] inline WallTouch<Real, 2> point_touch(const Ellipse<Real>& ellipse, const Vec<Real, 2>& r) {
+  using std::abs;
+  using std::sqrt;
+  std::array<Wide<Real>, 2> into = ellipse.normal(r);
+  for (Wide<Real>& component : into) component = -component;
+  const Vec<Real, 2> c = ellipse.rounded(r);
+  const Real across = narrow(into[0]), along = narrow(into[1]);
+  // (|c|^2 - 1) / |grad |c|^2|, and the gradient is 2 / (a b) times the normal.
+  const Real gap = (dot<Real, 2>(c, c) - 1) * ellipse.a * ellipse.b / (2 * sqrt(Real(across * across + along * along)));
+  return {into, Real(abs(gap))};
+}
+
 /// The parameter of the place where a ball touches a traced curve.
 template <class Real, class Curve>
 [[nodiscard]] inline Real touched_parameter(const Curve& curve, const Vec<Real, 2>& r, const Real& radius) {
@@ -41,6 +64,8 @@ template <class Real, class Curve>
                                                      std::int8_t side) {
   using std::abs;
   const Vec<Real, 2> r = at - curve.centre;
+  if constexpr (std::is_same_v<Curve, Ellipse<Real>>)
+    if (!(radius > 0)) return point_touch<Real>(curve, r);
   const Real u = touched_parameter<Real>(curve, r, radius);
   const Vec<Real, 2> from_wall = r - curve.place(u);
   if (radius > 0) return {from_wall, Real(length_of<Real>(from_wall) - radius), false};

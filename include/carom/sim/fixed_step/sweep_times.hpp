@@ -223,7 +223,10 @@ class SweepTimes {
     if constexpr (std::is_same_v<Shape, Sphere<double, D>>)
       if (shape.radius == 0 && radius == 0) return -approach;
     const WallTouch<double, D> touch = touch_at<double, D>(shape, at, radius, side);
-    return touch.singular ? Vector(-approach) : touch.normal;
+    if (touch.singular) return -approach;
+    Vector n;
+    for (int k = 0; k < D; ++k) n[k] = -narrow(touch.into_wall[k]);
+    return n;
   }
 
   std::vector<double> own_;  // [L] since the step began, by ball
