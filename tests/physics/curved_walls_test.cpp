@@ -214,6 +214,25 @@ TEST(CurvedWalls, hold_points_that_run_along_them) {
       }
 }
 
+// The same table across the edges of a periodic cell.
+TEST(CurvedWalls, have_joints_that_let_nothing_out_in_a_periodic_space) {
+  const double joints[][2] = {{0.5, -1.0}, {1.0, -0.5}, {1.0, 0.5}, {-0.5, 1.0}, {-1.0, -0.5}};
+  for (const auto& joint : joints)
+    for (const double aside : {0.0, 1e-16, -1e-16, 1e-12, 1e-8}) {
+      Scene scene = with_walls(rounded_square(), 0.0);
+      scene.space.kind = SpaceKind::periodic;
+      scene.space.lower = {0.0, 0.0};
+      scene.space.upper = {3.0, 3.0};
+      const double dx = joint[0] - 0.1, dy = joint[1] - 0.2;
+      scene.balls[0].velocity = {dx - aside * dy, dy + aside * dx};
+      const Result r = run(scene, 100);
+      EXPECT_EQ(r.log.size(), 100u) << joint[0] << ' ' << joint[1] << ' ' << aside;
+      for (const Collision& c : r.log)
+        for (std::size_t k = 0; k < 2; ++k)
+          EXPECT_LE(std::abs(c.ball.position[k] + 3.0 * static_cast<double>(c.ball.image[k])), 1 + 1e-12);
+    }
+}
+
 TEST(CurvedWalls, refuse_a_start_on_their_wrong_side) {
   Scene scene = with_walls({ellipse(2.0, 1.0)}, 0.0);
   scene.balls[0].position = {1.9, 0.9};

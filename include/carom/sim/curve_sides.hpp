@@ -8,6 +8,7 @@
 #include "carom/predict/contact.hpp"
 #include "carom/predict/sided.hpp"
 #include "carom/world/state.hpp"
+#include "carom/world/wall_images.hpp"
 
 namespace carom {
 
@@ -19,10 +20,20 @@ struct CurveHeight {
   bool at_end;  ///< as close to an end of it
 };
 
+/// How far rounding can put a stored point off its path, and the height that is computed of it off the truth.
+template <class Real>
+[[nodiscard]] inline Real height_doubt(const Arc<Real>& arc, const Vec<Real, 2>& x, const Real& reach) {
+  return place_doubt<Real>(x, arc.from, arc.to) + 8 * unit_roundoff<Real>() * (reach + 2 * arc.radius);
+}
+template <class Real>
+[[nodiscard]] inline Real height_doubt(const Parabola<Real>& parabola, const Vec<Real, 2>& x, const Real& reach) {
+  return traced_doubt<Real>(parabola, Vec<Real, 2>(x - parabola.centre)) + 8 * unit_roundoff<Real>() * reach;
+}
+
 template <class Real>
 [[nodiscard]] inline CurveHeight<Real> curve_height(const Arc<Real>& arc, const Vec<Real, 2>& x, const Real& reach) {
   using std::abs;
-  const Real doubt = place_doubt<Real>(x, arc.from, arc.to) + 8 * unit_roundoff<Real>() * (reach + 2 * arc.radius);
+  const Real doubt = height_doubt(arc, x, reach);
   const Real height = arc.height(x);
   const auto at = [&](const Vec<Real, 2>& end) { return abs(x[0] - end[0]) <= 2 * doubt && abs(x[1] - end[1]) <= 2 * doubt; };
   const bool at_end = !arc.whole && (at(arc.from) || at(arc.to));
@@ -35,14 +46,14 @@ template <class Real>
   using std::sqrt;
   const Vec<Real, 2> r = x - parabola.centre;
   const Real across = cross2<Real>(parabola.axis, r), f = 2 * parabola.focal_length;
-  const Real doubt = traced_doubt<Real>(parabola, r) + 8 * unit_roundoff<Real>() * reach;
+  const Real doubt = height_doubt(parabola, x, reach);
   const Real height = parabola.form(r) / (2 * sqrt(Real(f * f + across * across)));
   const Real short_of = parabola.half_width - abs(across);
   return {height, abs(height) <= doubt && short_of >= -doubt, abs(short_of) <= doubt};
 }
 
-/// In a space that is not periodic: a point stored next to a curve that it did not hit holds the side that it came from, if
-/// its place alone does not say that side any more, or is at an end of the curve, where another piece may go on.
+/// A point stored next to a curve that it did not hit holds the side that it came from, if its place alone does not say that side
+/// any more, or is at an end of the curve, where another piece may go on.
 template <class Real, int D>
 class CurveSides {
  public:
@@ -51,35 +62,47 @@ class CurveSides {
 
   /// Called before the state of ball i, a point, is written ...
   void note(const WorldType& world, std::uint32_t i) {
-    sides_.clear();
-    noted_ = !(world.balls[i].radius > 0) && !world.space.periodic();
+    noted_ = !(world.balls[i].radius > 0) && !(world.walls.arcs.empty() && world.walls.parabolas.empty());
     if (!noted_) return;
     velocity_ = world.balls[i].velocity;
     time_ = world.balls[i].time;
-    for_each_curve(world, [&](const auto& curve) {
-      const Contact<D>* held = wall_contact(world, i, index(curve.wall), curve.feature);
-      sides_.push_back(held != nullptr ? held->side : std::int8_t(0));
-    });
+    image_ = world.details[i].image;
+    held_.clear();
+    if (world.balls[i].in_contact) held_ = world.details[i].contacts;
   }
   /// ... and after it. `normal` points away from what the ball has just hit, with any length.
   void keep(WorldType& world, std::uint32_t i, const Vector& normal) const {
     if (!noted_) return;
     const Vector came = velocity_then(world, elapsed(time_, world.balls[i].time));
-    std::size_t k = 0;
     for_each_curve(world, [&](const auto& curve) {
-      const std::int8_t held = sides_[k++];
       const Vector at = world.balls[i].position - curve.velocity * elapsed(world.start, world.balls[i].time);
-      const CurveHeight<Real> now = curve_height<Real>(curve, at, world.details[i].reach);
-      if (!now.near || wall_contact(world, i, index(curve.wall), curve.feature) != nullptr) return;
-      // A point at a curve has come from where it was not: down from the left, or from the right.
-      const Real rise = dot<Real, D>(curve.normal(at), Vector(came - curve.velocity));
-      const std::int8_t side = held != 0 ? held : std::int8_t(rise < 0 ? 1 : rise > 0 ? -1 : 0);
-      if (side == 0 || !(now.at_end ? in_reach(curve, at, normal) : side * now.height <= 0)) return;
-      hold_contact(world, i, Contact<D>{Party::wall, index(curve.wall), curve.feature, {}, side, false, 0, 0});
+      if (!world.space.periodic()) return keep_beside(world, i, curve, at, {}, came, normal);
+      const Real near = 4 * height_doubt(curve, at, Real(world.details[i].reach + world.space.edge[0] + world.space.edge[1]));
+      for_each_image(world.space, curve, at, near, [&](const Image<D>& image) {
+        keep_beside(world, i, moved_by(world.space, curve, image), at, image, came, normal);
+      });
     });
   }
 
  private:
+  /// Beside a curve as it stands in period `image`.
+  template <class Curve>
+  void keep_beside(WorldType& world, std::uint32_t i, const Curve& curve, const Vector& at, const Image<D>& image,
+                   const Vector& came, const Vector& normal) const {
+    const CurveHeight<Real> now = curve_height<Real>(curve, at, world.details[i].reach);
+    if (!now.near || wall_contact(world, i, index(curve.wall), curve.feature, image) != nullptr) return;
+    Image<D> before = image;  // seen from where the ball was stored
+    for (int k = 0; k < D; ++k) before[k] += static_cast<std::int32_t>(world.details[i].image[k] - image_[k]);
+    std::int8_t side = 0;
+    for (const Contact<D>& c : held_)
+      if (c.with(Party::wall, index(curve.wall), curve.feature, before)) side = c.side;
+    // A point at a curve has come from where it was not: down from the left, or from the right.
+    const Real rise = dot<Real, D>(curve.normal(at), Vector(came - curve.velocity));
+    if (side == 0) side = std::int8_t(rise < 0 ? 1 : rise > 0 ? -1 : 0);
+    if (side == 0 || !(now.at_end ? in_reach(curve, at, normal) : side * now.height <= 0)) return;
+    hold_contact(world, i, Contact<D>{Party::wall, index(curve.wall), curve.feature, image, side, false, 0, 0});
+  }
+
   /// The velocity noted, after a flight of that length.
   [[nodiscard]] Vector velocity_then(const WorldType& world, const Real& flight) const {
     using std::cos;
@@ -107,10 +130,11 @@ class CurveSides {
            dot<Real, D>(normal, Vector(parabola.place(parabola.end()) - r)) > 0 || dot<Real, D>(normal, Vector(-r)) > 0;
   }
 
-  std::vector<std::int8_t> sides_;  // by curve: of a contact that it held
+  std::vector<Contact<D>> held_;
   bool noted_ = false;
   Vector velocity_ = Vector::Zero();
   Time<Real> time_;
+  Turns<D> image_{};
 };
 
 }  // namespace carom
