@@ -19,6 +19,18 @@ bool is_plain(const World<double, D>& world, const Sphere<double, D>& sphere) {
   return sphere.radius > 0 && !moves(world.walls, sphere);
 }
 
+/// A point flies past a vertex, or past both ends of a segment on one side, for certain. (Touching one of them may be another
+/// matter.)
+template <int D, class Shape>
+bool passes_by(const Ball<double, D>& ball, const Shape& shape) {
+  if constexpr (std::is_same_v<Shape, Sphere<double, 2>>) {
+    return shape.radius == 0 && plain_side_of_path(ball.position, ball.velocity, shape.centre) != 0;
+  } else if constexpr (std::is_same_v<Shape, Segment<double>> && D == 2) {
+    return plain_side_of_path(ball.position, ball.velocity, shape.from) * plain_side_of_path(ball.position, ball.velocity, shape.to) > 0;
+  }
+  return false;
+}
+
 /// Calls f for every piece of every wall that the loop does not know. Joints without a corner are nothing that points meet.
 template <int D, class F>
 void for_each_other(const World<double, D>& world, double radius, F&& f) {
@@ -193,7 +205,11 @@ double flight_to_sphere(const FewRun<D>& run, std::uint32_t i, std::uint32_t row
 template <int D>
 Event<double, D> first_other_wall(const FewRun<D>& run, std::uint32_t i) {
   Event<double, D> first;
-  for_each_other(*run.world, run.world->balls[i].radius, [&](const auto& shape) {
+  const Ball<double, D>& ball = run.world->balls[i];
+  for_each_other(*run.world, ball.radius, [&](const auto& shape) {
+    if (ball.radius == 0 && passes_by(ball, shape) && !moves(run.world->walls, shape) &&
+        wall_contact(*run.world, i, index(shape.wall), shape.feature) == nullptr)
+      return;
     const Event<double, D> e = predict_wall(FreeFlight<double, D>{}, *run.world, i, shape);
     if (e.kind != EventKind::none && precedes(e, first)) first = e;
   });

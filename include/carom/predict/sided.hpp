@@ -19,13 +19,18 @@ struct SidedFlight {
   std::int8_t side;
 };
 
+/// side_of_path where plain arithmetic is certain of it, else 0: five roundings are less than 4 u of the two products.
+[[nodiscard]] inline int plain_side_of_path(const Vec<double, 2>& x, const Vec<double, 2>& v, const Vec<double, 2>& vertex) {
+  const double p = (vertex[0] - x[0]) * v[1], q = (vertex[1] - x[1]) * v[0], cross = p - q;
+  const double doubt = 0x1p-50 * (std::fabs(p) + std::fabs(q)) + 0x1p-960;
+  return cross > doubt ? 1 : cross < -doubt ? -1 : 0;
+}
+
 /// Sign of (vertex - x) x v: on which side of a point's straight path a vertex lies; +1: to its right.
 template <class Real>
 [[nodiscard]] inline int side_of_path(const Vec<Real, 2>& x, const Vec<Real, 2>& v, const Vec<Real, 2>& vertex) {
-  if constexpr (std::is_same_v<Real, double>) {  // five roundings: less than 4 u of the two products
-    const double p = (vertex[0] - x[0]) * v[1], q = (vertex[1] - x[1]) * v[0], plain = p - q;
-    if (std::fabs(plain) > 0x1p-50 * (std::fabs(p) + std::fabs(q)) + 0x1p-960) return plain > 0 ? 1 : -1;
-  }
+  if constexpr (std::is_same_v<Real, double>)
+    if (const int side = plain_side_of_path(x, v, vertex); side != 0) return side;
   const Wide<Real> rx = wide_difference<Real>(vertex[0], x[0]), ry = wide_difference<Real>(vertex[1], x[1]);
   const Real cross = narrow(Wide<Real>(rx * Wide<Real>(v[1]) - ry * Wide<Real>(v[0])));
   return cross > 0 ? 1 : cross < 0 ? -1 : 0;
