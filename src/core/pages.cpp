@@ -10,6 +10,8 @@
 #include <cstdlib>
 #endif
 
+#include "carom/core/page_vector.hpp"
+
 namespace carom {
 namespace {
 
@@ -34,6 +36,13 @@ void* take(std::size_t bytes) {
   return got + before;
 }
 void give_back(void* data, std::size_t bytes) { munmap(data, bytes); }
+
+/// Puts the pages of `from` in the place of those that begin at `to`: nothing is copied, and no byte is there twice.
+bool move_pages(void* from, std::size_t bytes, void* to, std::size_t room) {
+  if (mremap(from, bytes, room, MREMAP_MAYMOVE | MREMAP_FIXED, to) == MAP_FAILED) return false;
+  if (room >= huge_page) madvise(to, room, MADV_HUGEPAGE);
+  return true;
+}
 #else
 void* take(std::size_t bytes) {
   void* const got = std::aligned_alloc(4096, bytes);
@@ -42,6 +51,7 @@ void* take(std::size_t bytes) {
   return got;
 }
 void give_back(void* data, std::size_t) { std::free(data); }
+bool move_pages(void*, std::size_t, void*, std::size_t) { return false; }
 #endif
 
 }  // namespace
@@ -55,8 +65,17 @@ Pages::~Pages() {
 void Pages::grow(std::size_t bytes) {
   if (bytes <= bytes_) return;
   Pages larger(bytes);
+  if (data_ != nullptr && move_pages(data_, bytes_, larger.data_, larger.bytes_)) {
+    data_ = nullptr;
+    bytes_ = 0;
+  }
   if (data_ != nullptr) std::memcpy(larger.data_, data_, bytes_);
   *this = std::move(larger);
 }
+
+namespace detail {
+void* take_pages(std::size_t bytes) { return take(rounded(bytes)); }
+void give_back_pages(void* data, std::size_t bytes) { give_back(data, rounded(bytes)); }
+}  // namespace detail
 
 }  // namespace carom

@@ -495,8 +495,8 @@ World<double, D> join(WorldAndGases<D> parts) {
       ball.time = world.start;
     }
     ends.push_back(world.balls.size());
-    gas.position = {};
-    gas.velocity = {};
+    give_back(gas.position);
+    give_back(gas.velocity);
   }
   // Only now, when the arrays are gone: details are the larger part of a ball.
   world.details.reserve(size);

@@ -53,7 +53,7 @@ std::vector<std::vector<Number>> drawn_velocities(const TrajectoryHead& head, co
   std::vector<std::vector<Number>> velocities(frame.balls.size());
   std::uint32_t entry = 0;
   for (const auto& [mass, members] : of_mass) {
-    const std::vector<double> v = maxwell_velocities({static_cast<std::int64_t>(members.size()), head.dimension,
+    const PageVector<double> v = maxwell_velocities({static_cast<std::int64_t>(members.size()), head.dimension,
                                                       options.temperature, mass, options.seed, entry++},
                                                      head.space);
     const auto dimension = static_cast<std::size_t>(head.dimension);

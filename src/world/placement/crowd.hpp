@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "carom/core/page_vector.hpp"
 #include "carom/world/placement/region.hpp"
 
 namespace carom {
@@ -23,15 +24,28 @@ struct Crowd {
     std::uint32_t index = 0;  ///< its number within the entry
   };
 
+  struct Run {  ///< the balls of one entry, which follow one another
+    std::size_t first = 0;  ///< counted after the obstacles
+    Source source;          ///< of that one
+  };
+
   bool periodic = true;
   Vector lower{}, edge{};
   std::size_t fixed = 0;
-  std::vector<Vector> x;       ///< [length] 0 .. edge
-  std::vector<double> radius;  ///< [length] padded: see `padding`
-  std::vector<Source> source;  ///< of ball fixed + i
+  PageVector<Vector> x;       ///< [length] 0 .. edge
+  PageVector<double> radius;  ///< [length] padded: see `padding`
+  std::vector<Run> runs;
   ClearOfWalls clear_of_walls;
 
   [[nodiscard]] std::size_t size() const { return radius.size(); }
+  [[nodiscard]] std::size_t movable() const { return size() - fixed; }
+
+  /// Of ball fixed + i.
+  [[nodiscard]] Source source(std::size_t i) const {
+    auto run = runs.rbegin();
+    while (run->first > i) ++run;
+    return {run->source.seed, run->source.entry, static_cast<std::uint32_t>(i - run->first)};
+  }
 
   [[nodiscard]] bool clear(const Vector& at, double r) const {
     if (!clear_of_walls) return true;

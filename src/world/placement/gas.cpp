@@ -143,18 +143,19 @@ Crowd<D> make_crowd(std::span<const GasSpec> specs, std::span<const double> radi
   std::vector<std::uint32_t> order(specs.size());
   std::iota(order.begin(), order.end(), 0u);
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return radii[a] > radii[b]; });
+  std::size_t balls = crowd.fixed;
+  for (const GasSpec& spec : specs) balls += static_cast<std::size_t>(spec.count);
+  crowd.radius.reserve(balls);
   for (const std::uint32_t e : order) {
-    for (std::int64_t i = 0; i < specs[e].count; ++i) {
-      crowd.source.push_back({specs[e].seed, e, static_cast<std::uint32_t>(i)});
-      crowd.radius.push_back(radii[e] + padding(radii[e], region));
-    }
+    crowd.runs.push_back({crowd.movable(), {specs[e].seed, e, 0}});
+    crowd.radius.resize(crowd.size() + static_cast<std::size_t>(specs[e].count), radii[e] + padding(radii[e], region));
   }
   crowd.x.resize(crowd.radius.size());
   return crowd;
 }
 
 /// Every ball at the same speed, in the direction it has. One at rest goes along the first axis.
-void set_speed(std::vector<double>& v, int dimension, double speed) {
+void set_speed(PageVector<double>& v, int dimension, double speed) {
   for (std::size_t i = 0; i < v.size(); i += static_cast<std::size_t>(dimension)) {
     double square = 0.0;
     for (int k = 0; k < dimension; ++k) square += v[i + k] * v[i + k];
@@ -163,7 +164,7 @@ void set_speed(std::vector<double>& v, int dimension, double speed) {
   }
 }
 
-double packing_of(const Region& region, const std::vector<double>& radius) {
+double packing_of(const Region& region, const PageVector<double>& radius) {
   double volume = 0.0;
   for (const double r : radius) volume += ball_volume(r, region.dimension);
   return volume / region_volume(region);
@@ -200,10 +201,10 @@ Outcome place(Crowd<D>& crowd, const Region& region) {
   for (std::uint32_t attempt = 0; attempt < 20 && budget > 0; ++attempt) {
     Outcome outcome = insert_randomly(crowd, scale, attempt);
     if (outcome.done && outcome.reached < 1.0) outcome = push_apart(crowd, budget);
-    if (outcome.done || outcome.placed < crowd.source.size()) return outcome;
+    if (outcome.done || outcome.placed < crowd.movable()) return outcome;
     best = std::max(best, outcome.reached);
   }
-  return {false, crowd.source.size(), reachable(crowd, best, effort / 4)};
+  return {false, crowd.movable(), reachable(crowd, best, effort / 4)};
 }
 
 [[noreturn]] void refuse(std::span<const GasSpec> specs, std::span<const double> radii, const Region& region,
@@ -239,9 +240,9 @@ std::vector<PlacedBalls> place_in(std::span<const GasSpec> specs, std::span<cons
       if (share(specs[e], radii[e], region) > share(specs[culprit], radii[culprit], region)) culprit = e;
     }
     std::int64_t placed = specs[culprit].count;
-    if (outcome.placed < crowd.source.size()) {
-      culprit = crowd.source[outcome.placed].entry;
-      placed = crowd.source[outcome.placed].index;
+    if (outcome.placed < crowd.movable()) {
+      culprit = crowd.source(outcome.placed).entry;
+      placed = crowd.source(outcome.placed).index;
     }
     refuse(specs, radii, region, culprit, outcome, placed);
   }
@@ -255,8 +256,8 @@ std::vector<PlacedBalls> place_in(std::span<const GasSpec> specs, std::span<cons
         region.kind);
     if (specs[e].speed) set_speed(all.back().velocity, D, specs[e].speed->value);
   }
-  for (std::size_t i = 0; i < crowd.source.size(); ++i) {
-    const auto& source = crowd.source[i];
+  for (std::size_t i = 0; i < crowd.movable(); ++i) {
+    const auto source = crowd.source(i);
     for (int k = 0; k < D; ++k) {
       double x = region.lower[k] + crowd.x[crowd.fixed + i][k];
       if (crowd.periodic && x >= region.upper[k]) x = region.lower[k];

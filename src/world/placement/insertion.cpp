@@ -26,7 +26,7 @@ class Lists {
     }
     for (int l = 0; l <= 40; ++l) {
       const Cells<D> cells(crowd.edge, crowd.periodic, members[l] ? 2.0 * widest[l] : crowd.edge[0], members[l]);
-      levels_.push_back({cells, std::vector<std::uint32_t>(members[l] ? cells.size() : 0, no_ball), widest[l], 0});
+      levels_.push_back({cells, PageVector<std::uint32_t>(members[l] ? cells.size() : 0, no_ball), widest[l], 0});
     }
   }
 
@@ -66,14 +66,14 @@ class Lists {
  private:
   struct Level {
     Cells<D> cells;
-    std::vector<std::uint32_t> head;
+    PageVector<std::uint32_t> head;
     double widest;
     std::size_t balls;
   };
 
   const Crowd<D>& crowd_;
   std::array<Vector, image_codes<D>()> shift_;
-  std::vector<std::uint32_t> next_;
+  PageVector<std::uint32_t> next_;
   double largest_ = 0.0;
   std::vector<Level> levels_;
 };
@@ -98,7 +98,7 @@ Outcome insert_randomly(Crowd<D>& crowd, double scale, std::uint32_t attempt) {
   Lists<D> lists(crowd);
   for (std::uint32_t i = 0; i < crowd.fixed; ++i) lists.add(i);
   for (std::uint32_t i = static_cast<std::uint32_t>(crowd.fixed); i < crowd.size(); ++i) {
-    const auto& source = crowd.source[i - crowd.fixed];
+    const auto source = crowd.source(i - crowd.fixed);
     const double r = crowd.radius[i];
     RandomStream draw(source.seed, source.index, use_for_position(source.entry, attempt));
     bool found = false, clear_once = false;

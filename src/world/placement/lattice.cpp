@@ -145,8 +145,8 @@ double layer_position(LatticeKind kind, const Region& region, const Filling& f, 
   return region.lower[axis] + f.stretch[axis] * (first + static_cast<double>(j) * l.spacing);
 }
 
-std::vector<double> positions(LatticeKind kind, const Region& region, const Filling& f) {
-  std::vector<double> x;
+PageVector<double> positions(LatticeKind kind, const Region& region, const Filling& f) {
+  PageVector<double> x;
   const auto put = [&](std::array<std::int64_t, 3> layer) {
     for (int k = 0; k < region.dimension; ++k) x.push_back(layer_position(kind, region, f, k, layer[k]));
   };

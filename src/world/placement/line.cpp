@@ -55,9 +55,8 @@ std::size_t choose(const std::vector<Interval>& all, double length, RandomStream
 }  // namespace
 
 Outcome place_on_line(Crowd<1>& crowd, std::uint32_t attempt) {
-  const std::size_t movable = crowd.size() - crowd.fixed;
-  const auto& seeds = crowd.source;
-  RandomStream draw(seeds.front().seed, attempt, use_for_order(0));
+  const std::size_t movable = crowd.movable();
+  RandomStream draw(crowd.source(0).seed, attempt, use_for_order(0));
   std::vector<Interval> all = intervals(crowd);
   for (std::size_t i = 0; i < movable; ++i) {
     const double length = 2.0 * crowd.radius[crowd.fixed + i];
@@ -91,8 +90,8 @@ Outcome place_on_line(Crowd<1>& crowd, std::uint32_t attempt) {
   }
   std::sort(sequence.begin(), sequence.end());
   std::map<std::uint32_t, std::uint32_t> next;  // by entry: the ball that the next rod of it becomes
-  for (std::size_t i = movable; i-- > 0;) next[seeds[i].entry] = static_cast<std::uint32_t>(crowd.fixed + i);
-  for (const auto& [x, rod] : sequence) crowd.x[next[seeds[rod - crowd.fixed].entry]++] = {x};
+  for (std::size_t i = movable; i-- > 0;) next[crowd.source(i).entry] = static_cast<std::uint32_t>(crowd.fixed + i);
+  for (const auto& [x, rod] : sequence) crowd.x[next[crowd.source(rod - crowd.fixed).entry]++] = {x};
   return {true, movable, 1.0};
 }
 

@@ -22,7 +22,7 @@ class CompensatedSum {
   double sum_ = 0.0, carry_ = 0.0;
 };
 
-void subtract_mean(std::vector<double>& v, int dimension, std::int64_t count) {
+void subtract_mean(PageVector<double>& v, int dimension, std::int64_t count) {
   for (int k = 0; k < dimension; ++k) {
     CompensatedSum sum;
     for (std::size_t i = k; i < v.size(); i += dimension) sum.add(v[i]);
@@ -31,7 +31,7 @@ void subtract_mean(std::vector<double>& v, int dimension, std::int64_t count) {
   }
 }
 
-void scale_to(std::vector<double>& v, double sum_of_squares) {
+void scale_to(PageVector<double>& v, double sum_of_squares) {
   CompensatedSum sum;
   for (const double x : v) sum.add(x * x);
   if (sum.value() == 0.0) return;
@@ -40,7 +40,7 @@ void scale_to(std::vector<double>& v, double sum_of_squares) {
 }
 
 /// Twice the unit in the last place of the largest component, so that every component is fewer than 2^52 of it.
-double common_grid(const std::vector<double>& v) {
+double common_grid(const PageVector<double>& v) {
   double largest = 0.0;
   for (const double x : v) largest = std::max(largest, std::abs(x));
   const auto exponent = std::bit_cast<std::uint64_t>(largest) >> 52;
@@ -49,7 +49,7 @@ double common_grid(const std::vector<double>& v) {
 
 /// Rounds every component to a common grid, on which sums are exact, and hands what is left of the momentum to the balls in
 /// steps of the grid: an error of one rounding each.
-void remove_last_bits_of_momentum(std::vector<double>& v, int dimension, std::int64_t count) {
+void remove_last_bits_of_momentum(PageVector<double>& v, int dimension, std::int64_t count) {
   const double grid = common_grid(v);
   if (grid == 0.0) return;
   for (int k = 0; k < dimension; ++k) {
@@ -72,9 +72,9 @@ void remove_last_bits_of_momentum(std::vector<double>& v, int dimension, std::in
 
 }  // namespace
 
-std::vector<double> maxwell_velocities(const Maxwell& m, SpaceKind space) {
+PageVector<double> maxwell_velocities(const Maxwell& m, SpaceKind space) {
   const auto size = static_cast<std::size_t>(m.count) * static_cast<std::size_t>(m.dimension);
-  std::vector<double> v(size, 0.0);
+  PageVector<double> v(size, 0.0);
   const bool periodic = space == SpaceKind::periodic;
   if (!(m.temperature > 0.0) || !std::isfinite(m.mass) || (periodic && m.count < 2)) return v;
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
+#include "carom/core/pages.hpp"
 #include "cells.hpp"
 
 namespace carom {
@@ -20,31 +22,28 @@ class Relaxation {
  public:
   using Vector = typename Crowd<D>::Vector;
 
+  /// Takes places and radii out of the crowd, and `run` puts them back.
   Relaxation(Crowd<D>& crowd, std::int64_t& budget)
       : crowd_(crowd),
         budget_(budget),
         shift_(image_shifts<D>(crowd.edge)),
-        x_(crowd.x),
-        radius_(crowd.radius),
-        id_(crowd.size()) {
+        x_(std::move(crowd.x)),
+        radius_(std::move(crowd.radius)),
+        id_(x_.size()) {
     std::iota(id_.begin(), id_.end(), 0u);
-    const double largest = *std::max_element(radius_.begin(), radius_.end());
-    level_of_.resize(crowd.size());
-    for (std::size_t i = 0; i < crowd.size(); ++i)
-      level_of_[i] = static_cast<std::uint8_t>(size_class(radius_[i], largest));
-    for (std::size_t i = 0; i < crowd.size(); ++i) {
-      double volume = 1.0;
-      for (int k = 0; k < D; ++k) volume *= radius_[i] / largest;
-      mobility_.push_back(i < crowd.fixed ? 0.0 : 1.0 / volume);
+    largest_ = *std::max_element(radius_.begin(), radius_.end());
+    level_of_.resize(x_.size());
+    std::array<double, 41> widest{};
+    std::array<std::size_t, 41> members{};
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+      const int l = size_class(radius_[i], largest_);
+      level_of_[i] = static_cast<std::uint8_t>(l);
+      widest[static_cast<std::size_t>(l)] = std::max(widest[static_cast<std::size_t>(l)], radius_[i]);
+      ++members[static_cast<std::size_t>(l)];
     }
-    for (int l = 0; l <= 40; ++l) {
-      double widest = 0.0;
-      std::size_t members = 0;
-      for (std::size_t i = 0; i < crowd.size(); ++i) {
-        if (level_of_[i] == l) widest = std::max(widest, radius_[i]), ++members;
-      }
-      if (members > 0) levels_.push_back({l, Cells<D>(crowd.edge, crowd.periodic, 2.0 * widest, members), widest, {}});
-    }
+    for (std::size_t l = 0; l < members.size(); ++l)
+      if (members[l] > 0)
+        levels_.push_back({static_cast<int>(l), Cells<D>(crowd.edge, crowd.periodic, 2.0 * widest[l], members[l]), widest[l], {}});
   }
 
   Outcome run() {
@@ -52,20 +51,20 @@ class Relaxation {
     for (std::size_t s = 0; s < slacks.size() && !done && budget_ > 0; ++s) done = relax(slacks[s]);
     list_pairs();
     const double reached = done ? 1.0 : smallest_ratio();
+    forget_pairs();
+    crowd_.x.resize(x_.size());
     for (std::size_t i = 0; i < x_.size(); ++i) crowd_.x[id_[i]] = x_[i];
-    return {done, crowd_.size() - crowd_.fixed, reached};
+    crowd_.radius.resize(x_.size());
+    for (std::size_t i = 0; i < x_.size(); ++i) crowd_.radius[id_[i]] = radius_[i];
+    return {done, crowd_.movable(), reached};
   }
 
  private:
-  struct Pair {
-    std::uint32_t other;
-    std::uint32_t image;
-  };
   struct Level {
     int size_class;
     Cells<D> cells;
     double widest;
-    std::vector<std::uint32_t> start;  ///< first ball of each cell
+    PageVector<std::uint32_t> start;  ///< first ball of each cell
   };
 
   bool relax(double slack) {
@@ -86,19 +85,16 @@ class Relaxation {
   /// One sweep; returns the sum of the relative overlaps that it met.
   double push_all(double slack) {
     double overlap = 0.0;
-    budget_ -= static_cast<std::int64_t>(pairs_.size());
+    budget_ -= static_cast<std::int64_t>(partner_.size());
     const double wide = 1.0 + slack;
-    for (std::size_t i = 0; i < x_.size(); ++i) {
-      for (std::size_t p = first_pair_[i]; p < first_pair_[i + 1]; ++p) {
-        const std::size_t j = pairs_[p].other;
-        const Vector d = between(i, j, pairs_[p].image);
-        const double square = square_of(d), contact = radius_[i] + radius_[j], apart = contact * wide;
-        if (square >= apart * apart) continue;
-        const double distance = std::sqrt(square);
-        if (distance <= contact) overlap += 1.0 - distance / contact + 0x1p-50;
-        push(i, j, d, distance, step * (apart - distance));
-      }
-    }
+    for_each_pair([&](std::size_t i, std::size_t j, std::uint32_t image) {
+      const Vector d = between(i, j, image);
+      const double square = square_of(d), contact = radius_[i] + radius_[j], apart = contact * wide;
+      if (square >= apart * apart) return;
+      const double distance = std::sqrt(square);
+      if (distance <= contact) overlap += 1.0 - distance / contact + 0x1p-50;
+      push(i, j, d, distance, step * (apart - distance));
+    });
     return overlap;
   }
 
@@ -107,10 +103,18 @@ class Relaxation {
       d[(id_[i] + id_[j]) % D] = 1.0;
       distance = 1.0;
     }
-    const double total = mobility_[i] + mobility_[j];
-    const double back = -depth * (mobility_[i] / total) / distance, forth = depth * (mobility_[j] / total) / distance;
+    const double mobility_i = mobility(i), mobility_j = mobility(j), total = mobility_i + mobility_j;
+    const double back = -depth * (mobility_i / total) / distance, forth = depth * (mobility_j / total) / distance;
     if (back != 0.0) move(i, d, back);
     if (forth != 0.0) move(j, d, forth);
+  }
+
+  /// Small balls move more than large ones, and obstacles do not.
+  [[nodiscard]] double mobility(std::size_t i) const {
+    if (id_[i] < crowd_.fixed) return 0.0;
+    double volume = 1.0;
+    for (int k = 0; k < D; ++k) volume *= radius_[i] / largest_;
+    return 1.0 / volume;
   }
 
   /// By `factor` d; where a face or wall is in the way, along the axes that are free.
@@ -159,29 +163,46 @@ class Relaxation {
   /// Smallest distance over contact distance of the listed pairs.
   [[nodiscard]] double smallest_ratio() const {
     double smallest = 1.0 + list_reach;
-    for (std::size_t i = 0; i < x_.size(); ++i) {
-      for (std::size_t p = first_pair_[i]; p < first_pair_[i + 1]; ++p) {
-        const std::size_t j = pairs_[p].other;
-        const double contact = radius_[i] + radius_[j], square = square_of(between(i, j, pairs_[p].image));
-        if (square < smallest * contact * (smallest * contact)) smallest = std::sqrt(square) / contact;
-      }
-    }
+    for_each_pair([&](std::size_t i, std::size_t j, std::uint32_t image) {
+      const double contact = radius_[i] + radius_[j], square = square_of(between(i, j, image));
+      if (square < smallest * contact * (smallest * contact)) smallest = std::sqrt(square) / contact;
+    });
     return smallest;
   }
 
+  /// Pairs lie ball by ball: those of ball i are the next partners_of_[i] in partner_. Few lie across an edge of the cell,
+  /// so their images are apart.
+  template <typename F>
+  void for_each_pair(F&& f) const {
+    std::size_t p = 0, a = 0;
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+      for (std::uint32_t left = partners_of_[i]; left > 0; --left) {
+        const std::uint32_t partner = partner_[p++];
+        f(i, partner & ~across, (partner & across) != 0 ? image_[a++] : home_image<D>);
+      }
+    }
+  }
+  void forget_pairs() {
+    give_back(listed_at_);
+    give_back(partners_of_);
+    partner_ = PageArray<std::uint32_t>();
+    give_back(image_);
+  }
+
   void list_pairs() {
+    forget_pairs();
     wrap();
     sort_into_cells();
     listed_at_ = x_;
-    first_pair_.assign(1, 0);
-    pairs_.clear();
+    partners_of_.reserve(x_.size());
     std::size_t own = 0;
     for (std::size_t i = 0; i < x_.size(); ++i) {
       while (levels_[own].size_class != level_of_[i]) ++own;
+      const std::size_t before = partner_.size();
       for (std::size_t l = 0; l <= own; ++l) list_pairs_of(i, levels_[l], l == own);
-      first_pair_.push_back(pairs_.size());
+      partners_of_.push_back(static_cast<std::uint32_t>(partner_.size() - before));
     }
-    budget_ -= 4 * static_cast<std::int64_t>(pairs_.size());
+    budget_ -= 4 * static_cast<std::int64_t>(partner_.size());
   }
 
   void list_pairs_of(std::size_t i, const Level& level, bool own) {
@@ -198,12 +219,17 @@ class Relaxation {
           square += d * d;
         }
         const double range = (radius_[i] + radius_[j]) * reach;
-        if (square < range * range && mobility_[i] + mobility_[j] > 0.0) {
-          pairs_.push_back({static_cast<std::uint32_t>(j), static_cast<std::uint32_t>(image)});
-        }
+        if (square < range * range && (id_[i] >= crowd_.fixed || id_[j] >= crowd_.fixed)) add_pair(j, image);
       }
       return true;
     });
+  }
+
+  void add_pair(std::size_t j, int image) {
+    const std::size_t p = partner_.size();
+    partner_.resize(p + 1);
+    partner_[p] = static_cast<std::uint32_t>(j) | (image == home_image<D> ? 0 : across);
+    if (image != home_image<D>) image_.push_back(static_cast<std::uint8_t>(image));
   }
 
   void wrap() {
@@ -218,7 +244,7 @@ class Relaxation {
 
   /// Puts the balls in the order of (size class, cell), by counting.
   void sort_into_cells() {
-    std::vector<std::uint32_t> order(x_.size()), cell(x_.size());
+    PageVector<std::uint32_t> order(x_.size()), cell(x_.size());
     std::uint32_t offset = 0;
     for (Level& level : levels_) {
       level.start.assign(level.cells.size() + 1, 0);
@@ -230,21 +256,21 @@ class Relaxation {
       level.start[0] = offset;
       for (std::size_t c = 0; c < level.cells.size(); ++c) level.start[c + 1] += level.start[c];
       offset = level.start.back();
-      std::vector<std::uint32_t> next(level.start.begin(), level.start.end() - 1);
+      PageVector<std::uint32_t> next(level.start.begin(), level.start.end() - 1);
       for (std::size_t i = 0; i < x_.size(); ++i) {
         if (level_of_[i] == level.size_class) order[next[cell[i]]++] = static_cast<std::uint32_t>(i);
       }
     }
+    give_back(cell);
     reorder(x_, order);
     reorder(radius_, order);
-    reorder(mobility_, order);
     reorder(id_, order);
     reorder(level_of_, order);
   }
 
   template <typename T>
-  static void reorder(std::vector<T>& values, const std::vector<std::uint32_t>& order) {
-    std::vector<T> sorted(values.size());
+  static void reorder(PageVector<T>& values, const PageVector<std::uint32_t>& order) {
+    PageVector<T> sorted(values.size());
     for (std::size_t i = 0; i < values.size(); ++i) sorted[i] = values[order[i]];
     values.swap(sorted);
   }
@@ -252,13 +278,17 @@ class Relaxation {
   Crowd<D>& crowd_;
   std::int64_t& budget_;
   std::array<Vector, image_codes<D>()> shift_;
-  std::vector<Vector> x_, listed_at_;
-  std::vector<double> radius_, mobility_;
-  std::vector<std::uint32_t> id_;  ///< their numbers in the crowd
-  std::vector<std::uint8_t> level_of_;
+  PageVector<Vector> x_, listed_at_;
+  PageVector<double> radius_;
+  PageVector<std::uint32_t> id_;  ///< their numbers in the crowd
+  PageVector<std::uint8_t> level_of_;
+  double largest_ = 0.0;
   std::vector<Level> levels_;
-  std::vector<Pair> pairs_;
-  std::vector<std::size_t> first_pair_;
+
+  static constexpr std::uint32_t across = std::uint32_t{1} << 31;  ///< of a partner: met in the next image_
+  PageVector<std::uint32_t> partners_of_;
+  PageArray<std::uint32_t> partner_;
+  PageVector<std::uint8_t> image_;
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "carom/world/placement/region.hpp"
@@ -60,7 +61,7 @@ inline double smallest_gap(const std::vector<TestBall>& balls, const Region& reg
 }
 
 /// FNV-1a over the bits.
-inline std::uint64_t hash_of(const std::vector<double>& values, std::uint64_t hash = 0xcbf29ce484222325u) {
+inline std::uint64_t hash_of(std::span<const double> values, std::uint64_t hash = 0xcbf29ce484222325u) {
   for (const double v : values) {
     const auto bits = std::bit_cast<std::uint64_t>(v);
     for (int k = 0; k < 64; k += 8) hash = (hash ^ ((bits >> k) & 0xff)) * 0x100000001b3u;

@@ -122,7 +122,7 @@ TEST(Lattice, refuses_what_does_not_suit_the_space) {
 TEST(Lattice, moves_only_with_a_temperature) {
   LatticeSpec spec = lattice(LatticeKind::cubic, 27, 0.3);
   const Region region = cube(SpaceKind::periodic, 3, 3);
-  EXPECT_EQ(place_lattice(spec, region).velocity, std::vector<double>(81, 0.0));
+  EXPECT_EQ(place_lattice(spec, region).velocity, PageVector<double>(81, 0.0));
   spec.temperature = 2.0;
   double square = 0.0;
   for (const double v : place_lattice(spec, region).velocity) square += v * v;

@@ -11,7 +11,7 @@ namespace carom {
 namespace {
 
 /// m sum v^2 / freedoms / kT - 1, in units of 2^-53.
-double temperature_error(const Maxwell& m, const std::vector<double>& v, double freedoms) {
+double temperature_error(const Maxwell& m, const PageVector<double>& v, double freedoms) {
   long double sum = 0;
   for (const double x : v) sum += static_cast<long double>(x) * x;
   return static_cast<double>((m.mass * sum / freedoms / m.temperature - 1) * 0x1p53L);
@@ -41,12 +41,12 @@ TEST(Maxwell, has_the_exact_temperature_and_no_momentum) {
 
 TEST(Maxwell, leaves_a_single_ball_at_rest_only_in_a_periodic_cell) {
   const Maxwell m{1, 3, 2.0, 1.0, 1, 0};
-  EXPECT_EQ(maxwell_velocities(m, SpaceKind::periodic), std::vector<double>(3, 0.0));
+  EXPECT_EQ(maxwell_velocities(m, SpaceKind::periodic), PageVector<double>(3, 0.0));
   EXPECT_LT(std::abs(temperature_error(m, maxwell_velocities(m, SpaceKind::box), 3.0)), temperature_ulp);
 }
 
 TEST(Maxwell, is_at_rest_without_temperature_or_with_infinite_mass) {
-  const std::vector<double> rest(20, 0.0);
+  const PageVector<double> rest(20, 0.0);
   EXPECT_EQ(maxwell_velocities({10, 2, 0.0, 1.0, 1, 0}, SpaceKind::box), rest);
   EXPECT_EQ(maxwell_velocities({10, 2, 1.0, std::numeric_limits<double>::infinity(), 1, 0}, SpaceKind::box), rest);
 }

@@ -61,9 +61,9 @@ TEST(Rack, stands_behind_its_apex) {
   spec.gap = 0.5;
   const auto placed = place_lattice(spec, open_plane);
   EXPECT_EQ(placed.radius, 0.5);
-  EXPECT_EQ(placed.velocity, std::vector<double>(12, 0.0));
+  EXPECT_EQ(placed.velocity, PageVector<double>(12, 0.0));
   const double row = 1.5 * std::sqrt(0.75);
-  const std::vector<double> expected{2,   1,           2.75, 1 + row,     1.25, 1 + row,
+  const PageVector<double> expected{2,   1,           2.75, 1 + row,     1.25, 1 + row,
                                      3.5, 1 + 2 * row, 2,    1 + 2 * row, 0.5,  1 + 2 * row};
   for (std::size_t i = 0; i < 12; ++i) EXPECT_NEAR(placed.position[i], expected[i], 1e-15);
 }

@@ -2,8 +2,8 @@
 // Maxwell velocities with no total momentum and an exact temperature.
 
 #include <cstdint>
-#include <vector>
 
+#include "carom/core/page_vector.hpp"
 #include "carom/scene/scene.hpp"
 
 namespace carom {
@@ -29,7 +29,7 @@ struct Maxwell {
 ///   sum of v = 0 exactly (all are multiples of one power of two);
 ///   k_B T = m sum v^2 / (D (N - 1)) in a periodic cell, m sum v^2 / (D N) else, to `temperature_ulp`.
 /// One ball is at rest in a periodic cell, and keeps its momentum elsewhere.
-[[nodiscard]] std::vector<double> maxwell_velocities(const Maxwell& maxwell, SpaceKind space);
+[[nodiscard]] PageVector<double> maxwell_velocities(const Maxwell& maxwell, SpaceKind space);
 
 /// Largest relative error of the temperature in units of 2^-53 (measured by maxwell_test).
 inline constexpr double temperature_ulp = 6.0;

@@ -4,8 +4,8 @@
 #include <array>
 #include <cstddef>
 #include <functional>
-#include <vector>
 
+#include "carom/core/page_vector.hpp"
 #include "carom/scene/scene.hpp"
 
 namespace carom {
@@ -30,8 +30,8 @@ struct Obstacle {
 struct PlacedBalls {
   double radius = 0.0;           ///< [length]
   double packing = 0.0;          ///< [-] their own share of the region; 0 in an open space
-  std::vector<double> position;  ///< [length] count x dimension, row by row
-  std::vector<double> velocity;  ///< [length/time] count x dimension, row by row
+  PageVector<double> position;  ///< [length] count x dimension, row by row
+  PageVector<double> velocity;  ///< [length/time] count x dimension, row by row
   Region region;                 ///< the space: as given, or the periodic cell that the balls have set
 };
 
