@@ -13,6 +13,7 @@
 #include "carom/queue/sorted_queue.hpp"
 #include "carom/search/all_pairs.hpp"
 #include "carom/search/cell_grid.hpp"
+#include "carom/world/gases.hpp"
 #include "composed_engine.hpp"
 #include "engine.hpp"
 #include "few_engine.hpp"
@@ -47,12 +48,6 @@ std::unique_ptr<Simulation::Engine> choose_search(const Scene& scene, World<type
   SearchKind search = scene.engine.search;
   const bool chosen = search == SearchKind::automatic;
   if constexpr (std::is_same_v<M, FreeFlight<double, D>> && D > 1) {
-    const bool asked = search == SearchKind::neighbour_list;
-    const bool enough = asked || scene.engine.queue == QueueKind::calendar || n >= many_balls;
-    if ((chosen || asked) && scene.engine.queue != QueueKind::heap && enough && swarm_fits(world)) {
-      composition.reasons.push_back(fmt::format("neighbour lists{}: {} balls", asked ? " (as [engine] asks)" : "", n));
-      return make_swarm_engine<D>(scene, std::move(world), std::move(composition));
-    }
     if (chosen && scene.engine.queue == QueueKind::automatic && few_fits(world))
       return make_few_engine<D>(scene, std::move(world), std::move(composition));
   }
@@ -83,6 +78,15 @@ std::unique_ptr<Simulation::Engine> choose_search(const Scene& scene, World<type
   composition.reasons.push_back(
       fmt::format("cells{}: {} balls, each meets only those in the cells around its own", who, n));
   return make_composed(scene, std::move(world), motion, std::move(composition), CellGrid<Real, D>(Layout::fitted));
+}
+
+/// Balls in free flight are left to the integrator for many: it is wanted and can move them.
+template <int D>
+bool takes_many(const Scene& scene, const WorldAndGases<D>& parts) {
+  const EngineSpec& wanted = scene.engine;
+  const bool asked = wanted.search == SearchKind::neighbour_list;
+  const bool enough = asked || wanted.queue == QueueKind::calendar || parts.size() >= many_balls;
+  return (asked || wanted.search == SearchKind::automatic) && wanted.queue != QueueKind::heap && enough && swarm_fits(parts);
 }
 
 /// Up to this many balls the reference is searched by all pairs: some hundred collisions a second at this size.
@@ -123,10 +127,12 @@ std::unique_ptr<Simulation::Engine> make_reference_engine(const Scene& scene) {
 template <int D>
 std::unique_ptr<Simulation::Engine> make_engine(const Scene& scene) {
   Composition composition;
-  World<double, D> world = build<double, D>(scene);
-  if (world.accelerated()) {
+  WorldAndGases<D> parts = build_apart<D>(scene);
+  const bool rests = parts.world.regularise == Regularise::rest;
+  if (parts.world.accelerated()) {
     composition.reasons.push_back("uniform acceleration: every ball that is not fixed flies a parabola");
-    if (world.regularise == Regularise::rest) {
+    World<double, D> world = join(std::move(parts));
+    if (rests) {
       composition.reasons.push_back("rest: a ball that comes to rest on a flat wall keeps only the acceleration along it");
       return make_resting_engine<D>(scene, std::move(world), std::move(composition));
     }
@@ -134,15 +140,22 @@ std::unique_ptr<Simulation::Engine> make_engine(const Scene& scene) {
     return detail::choose_search(scene, std::move(world), motion, std::move(composition));
   }
   if constexpr (D == 2)
-    if (world.magnetic != 0) {
+    if (parts.world.magnetic != 0) {
       composition.reasons.push_back("magnetic field: every ball that is not fixed flies circles of one frequency");
-      return make_magnetic_engine(scene, std::move(world), std::move(composition));
+      return make_magnetic_engine(scene, join(std::move(parts)), std::move(composition));
     }
   composition.reasons.push_back("free flight: no acceleration, so paths are straight lines");
-  if (world.growth.any()) return make_growing_engine<D>(scene, std::move(world), std::move(composition));
-  if (world.regularise == Regularise::rest)
-    composition.reasons.push_back("nothing comes to rest: no acceleration presses balls on a wall");
-  return detail::choose_search(scene, std::move(world), FreeFlight<double, D>{}, std::move(composition));
+  if (parts.world.growth.any()) return make_growing_engine<D>(scene, join(std::move(parts)), std::move(composition));
+  if (rests) composition.reasons.push_back("nothing comes to rest: no acceleration presses balls on a wall");
+  if constexpr (D > 1)
+    if (detail::takes_many(scene, parts)) {
+      const bool asked = scene.engine.search == SearchKind::neighbour_list;
+      composition.motion = FreeFlight<double, D>::name;
+      composition.reasons.push_back(
+          fmt::format("neighbour lists{}: {} balls", asked ? " (as [engine] asks)" : "", parts.size()));
+      return make_swarm_engine<D>(scene, std::move(parts), std::move(composition));
+    }
+  return detail::choose_search(scene, join(std::move(parts)), FreeFlight<double, D>{}, std::move(composition));
 }
 
 }  // namespace carom

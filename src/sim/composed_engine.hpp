@@ -18,7 +18,8 @@
 namespace carom {
 
 /// What ComposedEngine asks of an integrator: it owns a world, in whatever form, and moves it. `world` is that, or a view with
-/// its members; `ledger` has counts, exactness, books and watch; `reason` says why the run stopped.
+/// its members; `ledger` has counts, exactness, books and watch; `reason` says why the run stopped. One with a BallByBall
+/// takes the balls of a saved state by that: all are judged, and then, between `begin` and `finish`, taken in turn.
 template <class I>
 concept Integrator = requires(I& i, const I& c, const Time<typename I::Motion::Real>& t) {
   typename I::Motion;
@@ -64,6 +65,12 @@ class WorldIntegrator {
   EventDriven<M, Search, Queue> engine_;
 };
 
+/// What ComposedEngine reads of the world that it is made with.
+template <class Real, int D>
+[[nodiscard]] const World<Real, D>& as_world(const World<Real, D>& world) {
+  return world;
+}
+
 template <Integrator I>
 class ComposedEngine final : public Simulation::Engine {
  public:
@@ -71,20 +78,14 @@ class ComposedEngine final : public Simulation::Engine {
   using Real = typename M::Real;
   static constexpr int D = M::dimension;
 
-  /// Made within a PrecisionScope<Real> of `precision`, as every method enters it. `setup` is what the integrator takes
-  /// beside a world and a motion.
-  template <class Setup>
-  ComposedEngine(const Scene& scene, World<Real, D> world, const M& motion, Composition composition, Setup setup,
+  /// Made within a PrecisionScope<Real> of `precision`, as every method enters it. `begin` is a world, or what the integrator
+  /// takes in its place and `as_world` looks at; `setup` is what it takes beside that and a motion.
+  template <class Begin, class Setup>
+  ComposedEngine(const Scene& scene, Begin begin, const M& motion, Composition composition, Setup setup,
                  const Precision& precision = {})
-      : Engine(scene, std::move(composition)),
-        precision_(precision),
-        motion_(motion),
-        reached_(world.start),
-        start_(totals_at(motion, world, world.start)),
-        conserved_momentum_(world.walls.empty() && !world.curved() && world.growth.rescale_every == 0),
-        scene_print_(print_of_scene(world)) {
-    for (const auto& d : world.details) conserved_momentum_ = conserved_momentum_ && !detail::infinite(d.mass);
-    integrator_.emplace(std::move(world), motion, std::move(setup));
+      : Engine(scene, std::move(composition)), precision_(precision), motion_(motion) {
+    take_start(as_world(begin));
+    integrator_.emplace(std::move(begin), motion, std::move(setup));
   }
 
   Stop advance(const std::optional<Number>& to, std::optional<std::int64_t> most, const CollisionSink& sink,
@@ -203,48 +204,68 @@ class ComposedEngine final : public Simulation::Engine {
     return result;
   }
 
-  [[nodiscard]] std::string state() const override {
+  void save(const std::function<void(std::string_view)>& piece) const override {
     const Scope scope(precision_.digits);
-    WritingArchive archive;
+    WritingArchive archive{ByteWriter(piece)};
     archive.out.put(checkpoint_magic);
     archive.out.put(checkpoint_version);
     archive.out.put(scene_print_);
-    visit(archive, world(), integrator_->ledger(), integrator_->now(), reached_);
-    const std::uint64_t print = fingerprint(archive.out.bytes());
-    archive.out.put(print);
-    return archive.out.bytes();
+    StateVisitor<WritingArchive> visitor(archive);
+    visit_course(visitor, integrator_->ledger(), integrator_->now(), reached_);
+    decltype(auto) world = this->world();
+    visitor.world(world);
+    archive.out.put(archive.out.fingerprint());
+    archive.out.flush();
   }
 
-  void restore(std::string_view bytes) override {
+  void restore(std::uint64_t size, const ByteSource& read) override {
     const Scope scope(precision_.digits);
     const auto refuse = [](const char* what, const char* hint) { throw InputError(Problem{"", 0, what, "", hint}); };
     constexpr std::size_t print_size = sizeof(std::uint64_t);
-    if (bytes.size() < 4 * print_size) refuse("the checkpoint is too short to be one", "Give a file that carom wrote");
-    ByteReader head(bytes);
+    if (size < 4 * print_size) refuse("the checkpoint is too short to be one", "Give a file that carom wrote");
+    ByteReader head(read, 0, 3 * print_size);
     if (head.get<std::uint64_t>() != checkpoint_magic)
       refuse("this is no checkpoint of carom", "Give a file that carom wrote");
     if (head.get<std::uint64_t>() != checkpoint_version)
       refuse("the checkpoint is of another version of carom", "Resume it with the version that wrote it");
-    if (ByteReader(bytes.substr(bytes.size() - print_size)).get<std::uint64_t>() !=
-        fingerprint(bytes.substr(0, bytes.size() - print_size)))
+    if (ByteReader(read, size - print_size, size).get<std::uint64_t>() != fingerprint(read, size - print_size))
       refuse("the checkpoint is damaged", "Use an earlier one");
     if (head.get<std::uint64_t>() != scene_print_)
       refuse("the checkpoint is of another scene", "Resume it with the scene that it was made from");
-    World<Real, D> world = integrator_->copy();
-    std::vector<std::string> names;
-    for (const auto& d : world.details) names.push_back(d.name);
-    Collider<M> collider;
-    Time<Real> now, reached;
     try {
-      ReadingArchive archive{ByteReader(bytes.substr(3 * print_size, bytes.size() - 4 * print_size))};
-      visit(archive, world, collider, now, reached);
-      if (!archive.in.at_end()) throw std::out_of_range("bytes left over");
+      // Until all of it has been read once, nothing is changed.
+      ReadingArchive archive{ByteReader(read, 3 * print_size, size - print_size)};
+      StateVisitor<ReadingArchive> visitor(archive);
+      Collider<M> collider;
+      Time<Real> now, reached;
+      visit_course(visitor, collider, now, reached);
+      const auto end = [&archive] {
+        if (!archive.in.at_end()) throw std::out_of_range("bytes left over");
+      };
+      if constexpr (requires { typename I::BallByBall; }) {
+        const ByteReader first_ball = archive.in;
+        const auto read_balls = [&, balls = ball_count()](auto&& f) {
+          archive.in = first_ball;
+          visitor.template read_balls<Real, D>(balls, f);
+        };
+        typename I::BallByBall taker(*integrator_);
+        read_balls([&taker](std::uint32_t, const Ball<Real, D>& b, const BallDetail<Real, D>& d) { taker.judge(b, d); });
+        World<Real, D> none;
+        visitor.bodies(none);
+        end();
+        taker.begin();
+        read_balls([&taker](std::uint32_t i, const Ball<Real, D>& b, const BallDetail<Real, D>& d) { taker.take(i, b, d); });
+        taker.finish(std::move(collider), now);
+      } else {
+        World<Real, D> world = integrator_->copy();
+        visitor.world(world);
+        end();
+        integrator_->restore(std::move(world), std::move(collider), now);
+      }
+      reached_ = reached;
     } catch (const std::out_of_range&) {
       refuse("the checkpoint is damaged", "Use an earlier one");
     }
-    for (std::size_t i = 0; i < world.details.size(); ++i) world.details[i].name = std::move(names[i]);
-    reached_ = reached;
-    integrator_->restore(std::move(world), std::move(collider), now);
   }
 
   [[nodiscard]] Summary summary() const override {
@@ -282,12 +303,21 @@ class ComposedEngine final : public Simulation::Engine {
   using W = Wide<Real>;
   using Scope = PrecisionScope<Real>;
   static constexpr std::uint64_t checkpoint_magic = 0x6d6f726163636863;  // "chccarom"
-  static constexpr std::uint64_t checkpoint_version = 2;
+  static constexpr std::uint64_t checkpoint_version = 3;
 
-  /// Writes what is constant, reads into what is not.
-  template <class Archive>
-  static void visit(Archive& archive, auto&& world, auto&& collider, auto&& now, auto&& reached) {
-    StateVisitor<Archive> visitor(archive);
+  [[nodiscard]] static std::uint64_t fingerprint(const ByteSource& read, std::uint64_t size) {
+    Fingerprint print;
+    std::vector<char> piece;
+    for (std::uint64_t at = 0; at < size; at += piece.size()) {
+      piece.resize(static_cast<std::size_t>(std::min<std::uint64_t>(piece_size, size - at)));
+      read(at, piece);
+      print.add({piece.data(), piece.size()});
+    }
+    return print.value();
+  }
+
+  /// All of a state but the world. Writes what is constant, reads into what is not.
+  static void visit_course(auto& visitor, auto&& collider, auto& now, auto& reached) {
     visitor.time(now);
     visitor.time(reached);
     visitor.counts(collider.counts);
@@ -295,12 +325,19 @@ class ComposedEngine final : public Simulation::Engine {
     visitor.books(collider.books);
     visitor.watch(collider.watch);
     if constexpr (GrowingMotion<M>) visitor.growth(collider.growth);
-    visitor.world(world);
+  }
+
+  /// What is kept of the start. `world` may be a view.
+  void take_start(const auto& world) {
+    reached_ = world.start;
+    start_ = totals_at(motion_, world, world.start);
+    conserved_momentum_ = start_.all_finite && world.walls.empty() && !world.curved() && world.growth.rescale_every == 0;
+    scene_print_ = print_of_scene(world);
   }
 
   /// Of all that the scene decides: the balls at the start, the walls, the laws and the space.
-  [[nodiscard]] static std::uint64_t print_of_scene(const World<Real, D>& world) {
-    WritingArchive archive;
+  [[nodiscard]] static std::uint64_t print_of_scene(const auto& world) {
+    WritingArchive archive{ByteWriter()};
     StateVisitor<WritingArchive>(archive).world(world);
     archive(D);
     archive(world.units.length);
@@ -341,7 +378,7 @@ class ComposedEngine final : public Simulation::Engine {
         archive(swing->phase);
       }
     });
-    return fingerprint(archive.out.bytes());
+    return archive.out.fingerprint();
   }
 
   /// The nearest double, in the user's unit.

@@ -1,10 +1,14 @@
 #pragma once
 // A composition behind one interface, in the user's units and in doubles.
 
+#include <functional>
 #include <memory>
+#include <span>
+#include <string_view>
 #include <utility>
 
 #include "carom/sim/simulation.hpp"
+#include "carom/world/gases.hpp"
 #include "carom/world/units.hpp"
 #include "carom/world/world.hpp"
 
@@ -42,8 +46,8 @@ class Simulation::Engine {
   [[nodiscard]] virtual Units units() const = 0;
   [[nodiscard]] virtual std::array<double, 3> periods() const = 0;
   [[nodiscard]] virtual Audit audit(AuditBy by) const = 0;
-  [[nodiscard]] virtual std::string state() const = 0;
-  virtual void restore(std::string_view state) = 0;
+  virtual void save(const std::function<void(std::string_view)>& piece) const = 0;
+  virtual void restore(std::uint64_t size, const std::function<void(std::uint64_t, std::span<char>)>& read) = 0;
 
   [[nodiscard]] const Composition& composition() const noexcept { return composition_; }
 
@@ -67,9 +71,9 @@ inline constexpr std::size_t many_balls = 200;
 /// True if the integrator for many balls can move this world: lone balls in free flight, in a box or a periodic space that
 /// holds three shells a side, law "restitution", contacts one by one.
 template <int D>
-[[nodiscard]] bool swarm_fits(const World<double, D>& world);
+[[nodiscard]] bool swarm_fits(const WorldAndGases<D>& parts);
 template <int D>
-[[nodiscard]] std::unique_ptr<Simulation::Engine> make_swarm_engine(const Scene& scene, World<double, D> world,
+[[nodiscard]] std::unique_ptr<Simulation::Engine> make_swarm_engine(const Scene& scene, WorldAndGases<D> parts,
                                                                     Composition composition);
 
 /// The compositions of one dimension.
@@ -98,10 +102,10 @@ template <int D>
 template <int D>
 [[nodiscard]] std::unique_ptr<Simulation::Engine> make_growing_reference(const Scene& scene, World<double, D> world);
 
-extern template bool swarm_fits(const World<double, 2>&);
-extern template bool swarm_fits(const World<double, 3>&);
-extern template std::unique_ptr<Simulation::Engine> make_swarm_engine(const Scene&, World<double, 2>, Composition);
-extern template std::unique_ptr<Simulation::Engine> make_swarm_engine(const Scene&, World<double, 3>, Composition);
+extern template bool swarm_fits(const WorldAndGases<2>&);
+extern template bool swarm_fits(const WorldAndGases<3>&);
+extern template std::unique_ptr<Simulation::Engine> make_swarm_engine(const Scene&, WorldAndGases<2>, Composition);
+extern template std::unique_ptr<Simulation::Engine> make_swarm_engine(const Scene&, WorldAndGases<3>, Composition);
 
 extern template std::unique_ptr<Simulation::Engine> make_reference_engine<1>(const Scene&);
 extern template std::unique_ptr<Simulation::Engine> make_reference_engine<2>(const Scene&);

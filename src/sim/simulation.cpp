@@ -1,6 +1,7 @@
 #include "carom/sim/simulation.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 #include "carom/core/error.hpp"
 #include "carom/scene/tables.hpp"
@@ -101,7 +102,17 @@ double Simulation::epoch_length() const { return engine_->units().epoch_length()
 const Composition& Simulation::composition() const { return engine_->composition(); }
 Audit Simulation::audit(AuditBy by) const { return engine_->audit(by); }
 
-std::string Simulation::state() const { return engine_->state(); }
-void Simulation::restore(std::string_view state) { engine_->restore(state); }
+std::string Simulation::state() const {
+  std::string bytes;
+  save([&bytes](std::string_view piece) { bytes += piece; });
+  return bytes;
+}
+void Simulation::save(const std::function<void(std::string_view)>& piece) const { engine_->save(piece); }
+void Simulation::restore(std::string_view state) {
+  restore(state.size(), [state](std::uint64_t at, std::span<char> to) { std::memcpy(to.data(), state.data() + at, to.size()); });
+}
+void Simulation::restore(std::uint64_t size, const std::function<void(std::uint64_t, std::span<char>)>& read) {
+  engine_->restore(size, read);
+}
 
 }  // namespace carom

@@ -4,10 +4,13 @@
 // Queue and search are not in it: they are functions of the stored states, so a run goes on bit for bit under another queue
 // and search too.
 
+#include <concepts>
+#include <cstdint>
 #include <string>
 
 #include <fmt/format.h>
 
+#include "ball_record.hpp"
 #include "bytes.hpp"
 #include "carom/sim/books.hpp"
 #include "carom/sim/collapse_watch.hpp"
@@ -23,8 +26,33 @@ class StateVisitor {
 
   // The things are constant when they are written.
   void world(auto& w) {
-    sized(w.balls, [this](auto& b) { ball(b); });
-    sized(w.details, [this](auto& d) { detail(d); });
+    balls(w);
+    bodies(w);
+  }
+  /// A world is read into one of as many balls.
+  void balls(auto& w) {
+    using W = std::remove_cvref_t<decltype(w)>;
+    count(w.balls.size());
+    BallRecords<Archive, typename W::Real, W::dimension> records(archive_);
+    for (std::size_t i = 0; i < w.balls.size(); ++i) {
+      auto&& ball = w.balls[i];  // of a view: a value
+      auto&& detail = w.details[i];
+      records(ball, detail);
+    }
+  }
+  /// Reads as many balls, and hands each to f(number, ball, detail).
+  template <class Real, int D, class F>
+  void read_balls(std::size_t size, F&& f) {
+    count(size);
+    BallRecords<Archive, Real, D> records(archive_);
+    Ball<Real, D> ball;
+    BallDetail<Real, D> detail;
+    for (std::size_t i = 0; i < size; ++i) {
+      records(ball, detail);
+      f(static_cast<std::uint32_t>(i), ball, detail);
+    }
+  }
+  void bodies(auto& w) {
     sized(w.bodies, [this](auto& b) { body(b); });
   }
   void counts(auto& c) { each(c.ball_ball, c.ball_wall, c.other, c.ties); }
@@ -66,10 +94,12 @@ class StateVisitor {
   template <class F>
   void sized(auto& v, F&& f) {
     archive_.size(v);
-    for (std::size_t k = 0; k < v.size(); ++k) {
-      auto&& x = v[k];  // of a view: a value
-      f(x);
-    }
+    for (auto& x : v) f(x);
+  }
+  void count(std::uint64_t size) {
+    std::uint64_t there = size;
+    archive_(there);
+    if (there != size) throw std::out_of_range("another number of balls");
   }
   void wide(auto& x) {
     if constexpr (requires { x.lo; }) {
@@ -79,23 +109,6 @@ class StateVisitor {
     }
   }
 
-  void ball(auto& b) {
-    vector(b.position);
-    vector(b.velocity);
-    time(b.time);
-    each(b.radius, b.stamp, b.fixed, b.in_contact, b.alive, b.held);
-  }
-  void detail(auto& d) {
-    each(d.mass, d.material, d.rank, d.reach);
-    for (auto& n : d.image) each(n);
-    sized(d.contacts, [this](auto& c) {
-      each(c.party, c.partner, c.feature);
-      for (auto& n : c.image.turns) each(n);
-      each(c.side, c.acted, c.own_stamp, c.partner_stamp, c.left);
-    });
-    time(d.last_hit);
-    each(d.last_party, d.last_partner, d.last_feature, d.body);
-  }
   void body(auto& b) {
     each(b.mass);
     vector(b.position);
@@ -129,6 +142,7 @@ template <class Real>
 }
 
 struct WritingArchive {
+  static constexpr bool reads = false;
   ByteWriter out;
 
   template <class T>
@@ -139,12 +153,15 @@ struct WritingArchive {
       out.put(std::string_view(round_trip_text(x)));
     }
   }
+  /// An integer that is mostly small.
+  void whole(std::integral auto n) { out.put_whole(static_cast<std::int64_t>(n)); }
   void size(const auto& v) {
     out.put(static_cast<std::uint64_t>(v.size()));
   }
 };
 
 struct ReadingArchive {
+  static constexpr bool reads = true;
   ByteReader in;
 
   template <class T>
@@ -160,6 +177,12 @@ struct ReadingArchive {
         throw std::out_of_range("not a number");
       }
     }
+  }
+  template <std::integral T>
+  void whole(T& n) {
+    const std::int64_t value = in.get_whole();
+    n = static_cast<T>(value);
+    if (static_cast<std::int64_t>(n) != value) throw std::out_of_range("a number beyond its range");
   }
   template <class T>
   void size(std::vector<T>& v) {

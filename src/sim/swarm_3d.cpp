@@ -1,6 +1,6 @@
 #include "compose_swarm.hpp"
 
 namespace carom {
-template bool swarm_fits(const World<double, 3>&);
-template std::unique_ptr<Simulation::Engine> make_swarm_engine(const Scene&, World<double, 3>, Composition);
+template bool swarm_fits(const WorldAndGases<3>&);
+template std::unique_ptr<Simulation::Engine> make_swarm_engine(const Scene&, WorldAndGases<3>, Composition);
 }  // namespace carom

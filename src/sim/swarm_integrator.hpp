@@ -15,6 +15,7 @@
 #include "carom/sim/event_driven.hpp"
 #include "carom/sim/swarm_run.hpp"
 #include "carom/world/swarm.hpp"
+#include "carom/world/swarm_maker.hpp"
 
 namespace carom {
 
@@ -63,9 +64,17 @@ class SwarmView {
         walls(whole.walls),
         space(whole.space),
         acceleration(whole.acceleration),
+        magnetic(whole.magnetic),
+        growth(whole.growth),
+        restitution(whole.restitution),
         law(whole.law),
+        simultaneous(whole.simultaneous),
+        regularise(whole.regularise),
+        contact_time(whole.contact_time),
+        reference_speed(whole.reference_speed),
         swarm_(swarm),
         whole_(whole) {}
+  using Real = double;
   static constexpr int dimension = D;
   SwarmView(const SwarmView&) = delete;
   SwarmView& operator=(const SwarmView&) = delete;
@@ -78,7 +87,13 @@ class SwarmView {
   const Walls<double, D>& walls;
   const Space<double, D>& space;
   const Vec<double, D>& acceleration;
+  const double magnetic;
+  const Growth<double>& growth;
+  const RestitutionTable<double>& restitution;
   const LawKind law;
+  const Simultaneous simultaneous;
+  const Regularise regularise;
+  const double contact_time, reference_speed;
 
   [[nodiscard]] bool accelerated() const { return false; }
   [[nodiscard]] bool curved() const { return false; }
@@ -90,6 +105,11 @@ class SwarmView {
   const World<double, D>& whole_;
 };
 
+template <int D>
+[[nodiscard]] SwarmView<D> as_world(const Swarm<D>& swarm) {
+  return SwarmView<D>(&swarm, swarm.rest);
+}
+
 /// What a run of many balls is set up with.
 struct SwarmSetup {
   double neighbours = 0;  ///< balls that a shell's reach holds on average: sets the thickness
@@ -100,20 +120,41 @@ struct SwarmSetup {
 template <int D>
 inline constexpr double best_neighbours = D == 3 ? 12.6 : 8.4;
 
+/// What the shells are made after.
+struct BallSizes {
+  double largest = 0, sum = 0;  ///< [length unit] of the radii
+  std::size_t balls = 0;
+
+  void add(double radius, std::size_t count = 1) {
+    largest = std::max(largest, radius);
+    sum += radius * static_cast<double>(count);
+    balls += count;
+  }
+};
+template <int D>
+[[nodiscard]] inline BallSizes sizes_of(const Swarm<D>& swarm) {
+  BallSizes sizes;
+  for (std::uint32_t i = 0; i < swarm.size(); ++i) sizes.add(swarm.kind(i).radius);
+  return sizes;
+}
+template <int D>
+[[nodiscard]] inline BallSizes sizes_of(const WorldAndGases<D>& parts) {
+  BallSizes sizes;
+  for (const auto& ball : parts.world.balls) sizes.add(ball.radius);
+  for (const GasBalls& gas : parts.gases) sizes.add(gas.radius, gas.position.size() / static_cast<std::size_t>(D));
+  return sizes;
+}
+
 /// Thickness of the shells at which a ball has so many neighbours, not below a tenth of the largest diameter.
 template <int D>
-[[nodiscard]] inline double shell_thickness(const World<double, D>& world, double neighbours) {
-  double volume = 1, largest = 0, sum = 0;
-  for (int k = 0; k < D; ++k) volume *= world.space.edge[k];
-  for (const auto& ball : world.balls) {
-    largest = std::max(largest, ball.radius);
-    sum += ball.radius;
-  }
-  const double n = static_cast<double>(world.balls.size());
+[[nodiscard]] inline double shell_thickness(const Space<double, D>& space, const BallSizes& sizes, double neighbours) {
+  double volume = 1;
+  for (int k = 0; k < D; ++k) volume *= space.edge[k];
+  const double n = static_cast<double>(sizes.balls);
   const double share = neighbours * volume / n;
   constexpr double pi = 3.141592653589793;
   const double cut = D == 3 ? std::cbrt(share * 3 / (4 * pi)) : std::sqrt(share / pi);
-  return std::max(cut - 2 * sum / n, 0.1 * 2 * largest);
+  return std::max(cut - 2 * sizes.sum / n, 0.1 * 2 * sizes.largest);
 }
 
 template <int D>
@@ -122,10 +163,10 @@ class SwarmIntegrator {
   using Motion = FreeFlight<double, D>;
   using Ledger = Collider<Motion>;
 
-  SwarmIntegrator(World<double, D>&& world, const Motion&, SwarmSetup setup) : setup_(setup) {
-    run_.now = world.start;
-    if (world.restitution.any_below_one()) run_.watch.reset(world.balls.size());
-    enter(std::move(world));
+  SwarmIntegrator(Swarm<D>&& swarm, const Motion&, SwarmSetup setup) : setup_(setup) {
+    run_.now = swarm.rest.start;
+    if (swarm.rest.restitution.any_below_one()) run_.watch.reset(swarm.size());
+    enter(std::move(swarm));
   }
 
   template <class Sink>
@@ -196,12 +237,42 @@ class SwarmIntegrator {
     return {whole_->engine.collider().reason, whole_->engine.collider().reason_balls, {}};
   }
 
-  void restore(World<double, D>&& world, Ledger&& ledger, const Time<double>& now) {
-    whole_.reset();
-    take_accounts(ledger);
-    run_.now = now;
-    enter(std::move(world));
-  }
+  /// Takes the balls of a saved state one by one: see Integrator. What was there before is let go first.
+  class BallByBall {
+   public:
+    explicit BallByBall(SwarmIntegrator& to) : to_(to) {}
+    void judge(const Ball<double, D>& ball, const BallDetail<double, D>& detail) { judge_.add(ball, detail); }
+    void begin() {
+      const std::size_t size = to_.world().balls.size();
+      World<double, D> rest = to_.let_go(names_);
+      if (judge_.fit()) {
+        maker_.emplace(std::move(rest), size);
+      } else {
+        world_ = std::move(rest);
+        world_.balls.reserve(size);
+        world_.details.reserve(size);
+      }
+    }
+    void take(std::uint32_t number, const Ball<double, D>& ball, BallDetail<double, D> detail) {
+      if (!names_.empty()) detail.name = std::move(names_[number]);
+      if (maker_) return maker_->add(number, ball, detail);
+      world_.balls.push_back(ball);
+      world_.details.push_back(std::move(detail));
+    }
+    void finish(Ledger&& ledger, const Time<double>& now) {
+      to_.take_accounts(ledger);
+      to_.run_.now = now;
+      if (maker_) return to_.enter(maker_->finish());
+      to_.become_whole(std::move(world_));
+    }
+
+   private:
+    SwarmIntegrator& to_;
+    SwarmJudge<D> judge_;
+    std::optional<SwarmMaker<D>> maker_;
+    World<double, D> world_;
+    std::vector<std::string> names_;
+  };
 
   [[nodiscard]] const SwarmWork& work() const { return run_.work; }
 
@@ -225,20 +296,16 @@ class SwarmIntegrator {
            is_swarm(whole_->world);
   }
 
-  /// As a swarm, if it can be one; else as a whole world.
-  void enter(World<double, D>&& world) {
-    if (!is_swarm(world)) {
-      become_whole(std::move(world));
-      return;
-    }
-    largest_ = 0;
-    bool light = true;
-    for (const auto& ball : world.balls) largest_ = std::max(largest_, ball.radius);
-    for (const auto& detail : world.details) light = light && !detail::infinite(detail.mass);
+  /// As a swarm, if there is room for its shells; else as a whole world.
+  void enter(Swarm<D>&& swarm) {
+    run_.swarm = std::move(swarm);
+    const BallSizes sizes = sizes_of(run_.swarm);
+    largest_ = sizes.largest;
     const double thickness =
-        shell_thickness(world, setup_.neighbours > 0 ? setup_.neighbours : best_neighbours<D>);
-    run_.plain = light && !world.restitution.any_below_one();
-    run_.swarm = make_swarm(std::move(world));
+        shell_thickness(run_.swarm.rest.space, sizes, setup_.neighbours > 0 ? setup_.neighbours : best_neighbours<D>);
+    run_.plain = !run_.swarm.rest.restitution.any_below_one() &&
+                 std::none_of(run_.swarm.species.begin(), run_.swarm.species.end(),
+                              [](const Species& s) { return detail::infinite(s.mass); });
     sort_rows(run_.swarm, run_.now);
     const std::uint32_t n = run_.swarm.size();
     if (!run_.shells.lay_out(run_.swarm, largest_, thickness)) {
@@ -256,8 +323,10 @@ class SwarmIntegrator {
   /// Balls wander off from those that they lie beside in memory: now and then their rows are put in order again, once in
   /// 2000 collisions of a ball (papers/speed).
   void sort_anew() {
+    const double thickness = run_.shells.thickness();
+    forget_lists();  // first: sorting takes memory too
     sort_rows(run_.swarm, run_.now);
-    (void)run_.shells.lay_out(run_.swarm, largest_, run_.shells.thickness());  // as before, and so it fits
+    (void)run_.shells.lay_out(run_.swarm, largest_, thickness);  // as before, and so it fits
     expect_sort();
     kernel_.start(run_);
   }
@@ -269,9 +338,36 @@ class SwarmIntegrator {
     ++handed_over_;
     become_whole(make_world(run_.swarm));
   }
-  void become_whole(World<double, D>&& world) {
+  /// The world without its balls, when nothing is kept of them but their names.
+  [[nodiscard]] World<double, D> let_go(std::vector<std::string>& names) {
+    World<double, D> rest;
+    if (whole_) {
+      for (auto& detail : whole_->world.details) names.push_back(std::move(detail.name));
+      rest = std::move(whole_->world);
+      give_back(rest.balls);
+      give_back(rest.details);
+    } else {
+      names = std::move(run_.swarm.names);
+      rest = std::move(run_.swarm.rest);
+    }
+    whole_.reset();
+    forget_swarm();
+    return rest;
+  }
+  void forget_swarm() {
     run_.swarm = Swarm<D>();
+    forget_lists();
+  }
+  void forget_lists() {
     run_.shells = Shells<D>();
+    run_.calendar = Calendar();
+    run_.agenda = PageArray<Due>();
+    run_.sorted = PageArray<Due>();
+    run_.bins = PageArray<std::uint8_t>();
+    run_.head = 0;
+  }
+  void become_whole(World<double, D>&& world) {
+    forget_swarm();
     whole_ = std::make_unique<Whole>(std::move(world));
     Ledger& ledger = whole_->engine.collider();
     ledger.counts = run_.counts;
@@ -291,7 +387,7 @@ class SwarmIntegrator {
     run_.now = whole_->engine.now();
     World<double, D> world = std::move(whole_->world);
     whole_.reset();
-    enter(std::move(world));
+    enter(make_swarm(std::move(world)));
   }
 
   SwarmSetup setup_;

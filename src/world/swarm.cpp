@@ -2,35 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <tuple>
-
-#include "carom/world/state.hpp"
 
 namespace carom {
 namespace {
-
-constexpr std::size_t most_species = 1U << 16;
-
-using Alike = std::tuple<double, double, std::uint32_t, bool>;
-
-template <int D>
-Alike alike(const World<double, D>& world, std::size_t i) {
-  return {world.balls[i].radius, world.details[i].mass, world.details[i].material, world.balls[i].fixed};
-}
-
-/// A ball's contacts are those that its last collision leaves behind.
-template <int D>
-bool ordinary(const Ball<double, D>& ball, const BallDetail<double, D>& detail) {
-  if (!detail.last_hit.is_never() && detail.last_hit != ball.time) return false;
-  if (!ball.in_contact) return true;
-  if (detail.contacts.size() != 1) return false;
-  const Contact<D>& c = detail.contacts[0];
-  for (int k = 0; k < D; ++k)
-    if (c.image[k] < -1 || c.image[k] > 1) return false;
-  return c.acted && !c.left && c.own_stamp == ball.stamp && c.party == detail.last_party && c.partner == detail.last_partner &&
-         c.feature == detail.last_feature;
-}
 
 /// The bits of x with two zeros (one in the plane) between each and the next.
 template <int D>
@@ -49,84 +23,6 @@ void permute(PageArray<T>& records, const std::vector<std::uint32_t>& from) {
 }
 
 }  // namespace
-
-template <int D>
-bool is_swarm(const World<double, D>& world) {
-  std::map<Alike, bool> kinds;
-  for (std::size_t i = 0; i < world.balls.size(); ++i) {
-    const auto& ball = world.balls[i];
-    const auto& detail = world.details[i];
-    if (!ball.alive || !ordinary(ball, detail) || ball.held != 0 || detail.body >= 0 || !(ball.radius > 0)) return false;
-    if (kinds.size() <= most_species) kinds[alike(world, i)] = true;
-    for (int k = 0; k < D; ++k)
-      if (std::abs(detail.image[static_cast<std::size_t>(k)]) > (1 << 30)) return false;
-  }
-  return !world.balls.empty() && kinds.size() <= most_species;
-}
-
-template <int D>
-Swarm<D> make_swarm(World<double, D>&& world) {
-  Swarm<D> swarm;
-  const std::size_t n = world.balls.size();
-  const bool dissipates = world.restitution.any_below_one();
-  std::map<Alike, std::uint16_t> kinds;
-
-  swarm.past = PageArray<Past>(n);
-  swarm.stamp = PageArray<std::uint32_t>(n);
-  if (dissipates) swarm.reach.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const BallDetail<double, D>& detail = world.details[i];
-    const auto [kind, is_new] = kinds.try_emplace(alike(world, i), static_cast<std::uint16_t>(swarm.species.size()));
-    if (is_new)
-      swarm.species.push_back({world.balls[i].radius, detail.mass, detail.material, world.balls[i].fixed});
-    Past& past = swarm.past[i];
-    past = Past{};
-    for (int k = 0; k < D; ++k) past.image[k] = static_cast<std::int32_t>(detail.image[static_cast<std::size_t>(k)]);
-    swarm.stamp[i] = world.balls[i].stamp;
-    past.number = static_cast<std::uint32_t>(i);
-    past.species = kind->second;
-    past.flags = static_cast<std::uint8_t>((detail.last_hit.is_never() ? 0 : Past::hit) |
-                                           (detail.last_party == Party::wall ? Past::last_was_wall : 0));
-    past.last_partner = detail.last_partner;
-    past.last_feature = detail.last_feature;
-    if (world.balls[i].in_contact) {
-      int image[D];
-      for (int k = 0; k < D; ++k) image[k] = detail.contacts[0].image[k];
-      past.flags |= Past::in_contact;
-      past.contact_image = packed_image<D>(image);
-      past.partner_stamp = detail.contacts[0].partner_stamp;
-    }
-    if (dissipates) swarm.reach[i] = detail.reach;
-    if (!detail.name.empty()) {
-      swarm.names.resize(n);
-      swarm.names[i] = detail.name;
-    }
-  }
-  world.details = {};
-
-  swarm.flights = PageArray<Flight<D>>(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const Ball<double, D>& ball = world.balls[i];
-    Flight<D>& flight = swarm.flights[i];
-    for (int k = 0; k < D; ++k) {
-      flight.x[k] = ball.position[k];
-      flight.v[k] = ball.velocity[k];
-    }
-    flight.epoch = ball.time.epoch;
-    flight.offset = ball.time.offset;
-  }
-  world.balls = {};
-  swarm.rest = std::move(world);
-  for (int k = 0; k < D; ++k) {
-    swarm.lower[k] = swarm.rest.space.lower[k];
-    swarm.edge[k] = swarm.rest.space.edge[k];
-    swarm.per_edge[k] = 1 / swarm.edge[k];
-  }
-
-  swarm.row = PageArray<std::uint32_t>(n);
-  for (std::size_t i = 0; i < n; ++i) swarm.row[i] = static_cast<std::uint32_t>(i);
-  return swarm;
-}
 
 template <int D>
 Ball<double, D> stored_ball(const Swarm<D>& swarm, std::uint32_t number) {
@@ -220,10 +116,6 @@ void sort_rows(Swarm<D>& swarm, const Time<double>& t) {
   for (std::uint32_t i = 0; i < n; ++i) swarm.row[swarm.past[i].number] = i;
 }
 
-template bool is_swarm(const World<double, 2>&);
-template bool is_swarm(const World<double, 3>&);
-template Swarm<2> make_swarm(World<double, 2>&&);
-template Swarm<3> make_swarm(World<double, 3>&&);
 template Ball<double, 2> stored_ball(const Swarm<2>&, std::uint32_t);
 template Ball<double, 3> stored_ball(const Swarm<3>&, std::uint32_t);
 template BallDetail<double, 2> stored_detail(const Swarm<2>&, std::uint32_t);

@@ -7,7 +7,9 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
-#include <iterator>
+#include <span>
+#include <string_view>
+#include <utility>
 
 #include "carom/core/error.hpp"
 #include "carom/write/output_file.hpp"
@@ -21,27 +23,49 @@ namespace {
                     ". Free some space, or write elsewhere with --out.");
 }
 
-/// Writes all bytes and brings them to the disk; the error, or 0.
-int store(const std::string& path, const std::string& bytes) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (file < 0) return errno;
-  std::size_t done = 0;
-  int error = 0;
-  while (done < bytes.size() && error == 0) {
-    const ssize_t n = ::write(file, bytes.data() + done, bytes.size() - done);
-    if (n > 0) done += static_cast<std::size_t>(n);
-    if (n < 0 && errno != EINTR) error = errno;
+/// A file that is written and brought to the disk. After the first error nothing more is written.
+class Store {
+ public:
+  explicit Store(const std::string& path) : file_(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
+    if (file_ < 0) error_ = errno;
   }
-  if (error == 0 && ::fsync(file) != 0 && errno != EINVAL) error = errno;
-  if (::close(file) != 0 && error == 0) error = errno;
-  return error;
+  ~Store() {
+    if (file_ >= 0) ::close(file_);
+  }
+  Store(const Store&) = delete;
+  Store& operator=(const Store&) = delete;
+
+  void write(std::string_view bytes) {
+    while (!bytes.empty() && error_ == 0) {
+      const ssize_t n = ::write(file_, bytes.data(), bytes.size());
+      if (n > 0) bytes.remove_prefix(static_cast<std::size_t>(n));
+      if (n < 0 && errno != EINTR) error_ = errno;
+    }
+  }
+  /// The first error, or 0.
+  [[nodiscard]] int finish() {
+    if (error_ == 0 && ::fsync(file_) != 0 && errno != EINVAL) error_ = errno;
+    if (file_ >= 0 && ::close(std::exchange(file_, -1)) != 0 && error_ == 0) error_ = errno;
+    return error_;
+  }
+
+ private:
+  int file_;
+  int error_ = 0;
+};
+
+/// The state in `path`; the error, or 0.
+int store(const std::string& path, const Simulation& simulation) {
+  Store file(path);
+  simulation.save([&file](std::string_view piece) { file.write(piece); });
+  return file.finish();
 }
 
 }  // namespace
 
 void write_checkpoint(const std::string& path, const Simulation& simulation) {
   const std::string aside = path + ".part";
-  if (const int error = store(aside, simulation.state()); error != 0) {
+  if (const int error = store(aside, simulation); error != 0) {
     ::unlink(aside.c_str());
     fail(path, error);
   }
@@ -53,12 +77,19 @@ void write_checkpoint(const std::string& path, const Simulation& simulation) {
 }
 
 void read_checkpoint(const std::string& path, Simulation& simulation) {
+  const auto refuse = [&path](const char* why) {
+    throw InputError(Problem{path, 0, "cannot read the checkpoint", why, "Check the name after --resume"});
+  };
   std::ifstream file(path, std::ios::binary);
-  if (!file)
-    throw InputError(Problem{path, 0, "cannot read the checkpoint", std::strerror(errno), "Check the name after --resume"});
-  const std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (!file) refuse(std::strerror(errno));
+  file.seekg(0, std::ios::end);
+  const std::streamoff size = file.tellg();
+  if (!file || size < 0) refuse("it is no file of a known length");
   try {
-    simulation.restore(bytes);
+    simulation.restore(static_cast<std::uint64_t>(size), [&](std::uint64_t at, std::span<char> to) {
+      file.seekg(static_cast<std::streamoff>(at));
+      if (!file.read(to.data(), static_cast<std::streamsize>(to.size()))) refuse("it has changed while it was read, or the disk fails");
+    });
   } catch (const InputError& error) {
     std::vector<Problem> problems = error.problems();
     for (Problem& p : problems) p.file = path;

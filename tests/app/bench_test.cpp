@@ -43,6 +43,19 @@ TEST(Bench, has_a_row_for_each_packing_and_number) {
   }
 }
 
+// The peak is that of the run: setting up takes less. Records and lists take 281 bytes (papers/speed/memory.md); the rest is
+// what ten arrays lose to huge pages, 2 MB each at most, which counts because there are so few balls, for the sake of speed.
+TEST(Bench, finds_at_most_340_bytes_a_sphere_at_the_peak) {
+  const Folder folder;
+  const auto o = carom(folder, {"bench", "--warm-up", "2", "--seconds", "0.01", "--windows", "1", "--balls", "200000",
+                                "--packing", "0.49", "--json"});
+  ASSERT_EQ(o.status, 0) << o.err;
+  const auto bytes = nlohmann::json::parse(o.out)["rows"][0]["bytes_per_ball"];
+  if (bytes.is_null()) GTEST_SKIP() << "this system does not tell";
+  EXPECT_LE(bytes.get<double>(), 340);
+  EXPECT_GE(bytes.get<double>(), 64 + 32 + 128) << "what a ball's records alone take";
+}
+
 TEST(Bench, prints_a_table) {
   const Folder folder;
   const auto o = carom(folder, quick_with({"--balls", "50", "--packing", "0.3"}));

@@ -3,7 +3,9 @@
 #include "app/program.hpp"
 
 #include <chrono>
+#include <filesystem>
 #include <thread>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -67,6 +69,37 @@ TEST(InterruptedH5md, leaves_an_h5md_file_that_is_read) {
   const Survey s = survey(folder.file("t.h5"));
   EXPECT_EQ(s.stopped_by, "interrupted");
   EXPECT_GE(s.frames, 2);
+}
+
+// Wherever the signal falls, what it leaves behind goes on under another search and queue to where the run that was left
+// alone comes to: the same time, and the same digits of every ball.
+TEST(Interrupted, goes_on_from_its_checkpoint_bit_for_bit) {
+  const Folder folder;
+  folder.write("gas.toml",
+               "dimension = 3\n[[gas]]\ncount = 500\npacking_fraction = 0.4\nradius = 0.5\n[run]\nevents = 1_000_000_000_000\n"
+               "[output]\nevents = \"e.csv\"\n");
+  test::Program program(folder, {"run", "gas.toml", "--json", "--checkpoint", "at.carom"});
+  std::error_code error;
+  for (int k = 0; k < 12000 && !(std::filesystem::exists(folder.file("e.csv.part"), error) &&
+                                 std::filesystem::file_size(folder.file("e.csv.part"), error) > 0);
+       ++k)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  program.send(SIGINT);
+  const test::Outcome cut = program.wait();
+  ASSERT_EQ(cut.status, 130) << cut.err;
+  EXPECT_FALSE(std::filesystem::exists(folder.file("at.carom.part")));
+  const std::string events = std::to_string(nlohmann::json::parse(cut.out)["events"]["ball_ball"].get<std::int64_t>() + 2000);
+
+  const auto end_of = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"run", "gas.toml", "--set", "output.events=\"\"", "--json", "--final", "--events", events});
+    const test::Outcome o = test::carom(folder, words);
+    EXPECT_EQ(o.status, 0) << o.err;
+    const auto j = nlohmann::json::parse(o.out);
+    return std::pair{j["time"], j["final"]};
+  };
+  const auto alone = end_of({});
+  EXPECT_EQ(end_of({"--resume", "at.carom"}), alone);
+  EXPECT_EQ(end_of({"--resume", "at.carom", "--set", "engine.search=cells", "--set", "engine.queue=heap"}), alone);
 }
 
 INSTANTIATE_TEST_SUITE_P(Signals, InterruptedRun, testing::Values(SIGINT, SIGTERM),

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -156,6 +157,11 @@ class Simulation {
   /// Puts back a state saved by a simulation of the same scene. Throws InputError if it is damaged or of another scene or
   /// version; the simulation is then as it was.
   void restore(std::string_view state);
+
+  /// The same without all bytes in memory at a time: `save` hands them on piece by piece, and `restore` asks for those that
+  /// begin at a place, of `size` in all, and for most of them three times. What `read` throws passes through.
+  void save(const std::function<void(std::string_view)>& piece) const;
+  void restore(std::uint64_t size, const std::function<void(std::uint64_t at, std::span<char> to)>& read);
 
   class Engine;
 

@@ -24,6 +24,7 @@ struct Totals {
   Real angular_momentum_size{0};  ///< sum of m |x| |v|
   Wide<Real> mass{Real(0)};
   Real lowest_potential = infinity<Real>();  ///< per mass, of all balls
+  bool all_finite = true;                    ///< no ball, left or not, has an infinite mass
 };
 
 /// Position counted through all periods, in wide arithmetic.
@@ -49,7 +50,8 @@ template <Motion M, class WorldLike>
   const bool accelerated = world.accelerated();
   for (std::uint32_t i = 0; i < world.balls.size(); ++i) {
     const Real mass = world.details[i].mass;
-    if (!world.balls[i].alive || detail::infinite(mass)) continue;
+    if (detail::infinite(mass)) sum.all_finite = false;
+    if (detail::infinite(mass) || !world.balls[i].alive) continue;
     const W m(mass);
     // The stored velocity itself where the motion is free: looking adds no rounding.
     const Vec<Real, D> v = velocity_at(motion, world, i, t);

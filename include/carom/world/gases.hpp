@@ -14,8 +14,8 @@ struct GasBalls {
   double radius = 0.0;           ///< [length unit]
   double mass = 1.0;             ///< [mass unit]
   std::uint32_t material = 0;    ///< row of the restitution table
-  PageVector<double> position;  ///< [length unit] at World::start; count x dimension, row by row
-  PageVector<double> velocity;  ///< [length unit / L] the same
+  PageVector<double> position;   ///< [length unit] at World::start; count x dimension, row by row
+  PageVector<double> velocity;   ///< [length unit / L] the same
 };
 
 /// `world` is all of the scene but the gases, whose balls have the numbers after those that it holds, gas by gas.

@@ -86,15 +86,6 @@ struct Swarm {
   }
 };
 
-/// True if a world can be stored so: lone balls of positive radius, all alive, none in a contact other than that of its last
-/// collision, which ended where its stored state begins.
-template <int D>
-[[nodiscard]] bool is_swarm(const World<double, D>& world);
-
-/// Takes the balls out of `world`, freeing its arrays as it goes.
-template <int D>
-[[nodiscard]] Swarm<D> make_swarm(World<double, D>&& world);
-
 /// Ball `ball` (its number) as a world stores it.
 template <int D>
 [[nodiscard]] Ball<double, D> stored_ball(const Swarm<D>& swarm, std::uint32_t ball);
@@ -109,10 +100,6 @@ template <int D>
 template <int D>
 void sort_rows(Swarm<D>& swarm, const Time<double>& t);
 
-extern template bool is_swarm(const World<double, 2>&);
-extern template bool is_swarm(const World<double, 3>&);
-extern template Swarm<2> make_swarm(World<double, 2>&&);
-extern template Swarm<3> make_swarm(World<double, 3>&&);
 extern template Ball<double, 2> stored_ball(const Swarm<2>&, std::uint32_t);
 extern template Ball<double, 3> stored_ball(const Swarm<3>&, std::uint32_t);
 extern template BallDetail<double, 2> stored_detail(const Swarm<2>&, std::uint32_t);
