@@ -129,8 +129,8 @@ class FewIntegrator {
     } else {
       record.partner.number = event.partner;
       with_wall(world, event.partner, event.feature, event.image, [&](const auto&, const auto& placed) {
-        record.gap = placed.gap(vector(told.at[0])) - radius;
-        fill_place(record, placed, vector(told.at[0]), radius, 0);
+        record.gap = touch_at<double, D>(placed, vector(told.at[0]), radius, told.side).gap;
+        fill_place(record, placed, vector(told.at[0]), radius, told.side);
       });
     }
     record.partner.velocity_before = impact.vb;
@@ -144,9 +144,7 @@ class FewIntegrator {
   void go_on(const Time<double>& now) {
     aside_ = false;
     detail::start_few(*run_, world_, engine_.collider(), now);
-    bool points = false;
-    for (const auto& ball : world_.balls) points = points || !(ball.radius > 0);
-    simple_ = !world_.restitution.any_below_one() && !(points && run_->other_walls);
+    simple_ = !world_.restitution.any_below_one();
   }
   void step_aside() {
     aside_ = true;
@@ -158,7 +156,7 @@ class FewIntegrator {
   FewKernel<D> kernel_;
   std::unique_ptr<FewRun<D>> run_ = std::make_unique<FewRun<D>>();
   bool aside_ = false;   // EventDriven has the run
-  bool simple_ = false;  // impacts are elastic, and no point has sides of walls to be kept on (sim/sides.hpp)
+  bool simple_ = false;  // impacts are elastic
 };
 
 }  // namespace carom

@@ -62,6 +62,8 @@ void set_walls(FewRun<D>& run, std::uint32_t i) {
   const Ball<double, D>& ball = world.balls[i];
   const bool any = wall.event.kind != EventKind::none;
   wall.which = FewRun<D>::some_wall;
+  wall.segment = nullptr;
+  wall.arc = nullptr;
   set_flight(run, run.slot_of[i][i], any ? elapsed(ball.time, wall.event.time) : never<double>(), ball.time);
   if (!any || wall.tied) return;
   for (std::uint32_t row = 0; row < run.spheres.size(); ++row) {
@@ -133,13 +135,26 @@ void plan_walls(FewRun<D>& run, const World<double, D>& world) {
   for (std::size_t s = 0; s < world.walls.spheres.size(); ++s)
     if (is_plain(world, world.walls.spheres[s])) run.spheres.push_back(static_cast<std::uint32_t>(s));
   run.other_walls = false;
-  for_each_other(world, 1.0, [&](const auto&) { run.other_walls = true; });
+  run.flat_or_round = !world.space.periodic();
+  for_each_other(world, 1.0, [&](const auto& shape) {
+    using Shape = std::remove_cvref_t<decltype(shape)>;
+    run.other_walls = true;
+    run.flat_or_round = run.flat_or_round && !moves(world.walls, shape) &&
+                        (std::is_same_v<Shape, Segment<double>> || std::is_same_v<Shape, Arc<double>> ||
+                         std::is_same_v<Shape, Sphere<double, 2>>);
+  });
   for (std::size_t i = 0; i < world.balls.size(); ++i) {
+    const double radius = world.balls[i].radius, mass = world.details[i].mass;
+    run.flat_pair[i] = elastic_pair(1.0, mass, infinity<double>(), 0);
+    run.arc_pair[i].clear();
+    for (const Arc<double>& arc : world.walls.arcs)
+      run.arc_pair[i].push_back({elastic_pair(arc.radius + radius, mass, infinity<double>(), 0),
+                                 elastic_pair(arc.radius - radius, mass, infinity<double>(), 0)});
     run.sphere_pair[i].clear();
     for (const std::uint32_t s : run.spheres) {
       const auto& sphere = world.walls.spheres[s];
-      const double radius = world.balls[i].radius, sigma = sphere.inside ? sphere.radius - radius : sphere.radius + radius;
-      run.sphere_pair[i].push_back(elastic_pair(sigma, world.details[i].mass, infinity<double>(), 0));
+      const double sigma = sphere.inside ? sphere.radius - radius : sphere.radius + radius;
+      run.sphere_pair[i].push_back(elastic_pair(sigma, mass, infinity<double>(), 0));
     }
   }
 }
@@ -203,17 +218,55 @@ double flight_to_sphere(const FewRun<D>& run, std::uint32_t i, std::uint32_t row
 }
 
 template <int D>
-Event<double, D> first_other_wall(const FewRun<D>& run, std::uint32_t i) {
-  Event<double, D> first;
-  const Ball<double, D>& ball = run.world->balls[i];
-  for_each_other(*run.world, ball.radius, [&](const auto& shape) {
-    if (ball.radius == 0 && passes_by(ball, shape) && !moves(run.world->walls, shape) &&
-        wall_contact(*run.world, i, index(shape.wall), shape.feature) == nullptr)
+void find_other_wall(FewRun<D>& run, std::uint32_t i) {
+  typename FewRun<D>::Wall& wall = run.wall[i];
+  const World<double, D>& world = *run.world;
+  const Ball<double, D>& ball = world.balls[i];
+  wall.event = {};
+  wall.segment = nullptr;
+  wall.arc = nullptr;
+  for_each_other(world, ball.radius, [&](const auto& shape) {
+    using Shape = std::remove_cvref_t<decltype(shape)>;
+    if (ball.radius == 0 && passes_by(ball, shape) && !moves(world.walls, shape) &&
+        wall_contact(world, i, index(shape.wall), shape.feature) == nullptr)
       return;
-    const Event<double, D> e = predict_wall(FreeFlight<double, D>{}, *run.world, i, shape);
-    if (e.kind != EventKind::none && precedes(e, first)) first = e;
+    const Event<double, D> e = predict_wall(FreeFlight<double, D>{}, world, i, shape);
+    if (e.kind == EventKind::none || !precedes(e, wall.event)) return;
+    wall.event = e;
+    wall.segment = nullptr;
+    wall.arc = nullptr;
+    if (!run.flat_or_round) return;
+    if constexpr (std::is_same_v<Shape, Segment<double>>) wall.segment = &shape;
+    if constexpr (std::is_same_v<Shape, Arc<double>>) wall.arc = &shape;
   });
-  return first;
+}
+
+template <int D>
+bool stays_clear(const FewRun<D>& run, std::uint32_t i, const double* x) {
+  if constexpr (D == 2) {
+    if (!run.flat_or_round) return false;
+    const World<double, D>& world = *run.world;
+    const typename FewRun<D>::Wall& wall = run.wall[i];
+    const Vec<double, 2> at(x[0], x[1]);
+    const Ball<double, D>& ball = world.balls[i];
+    double reach = world.details[i].reach;
+    for (int k = 0; k < D; ++k) reach = std::max({reach, std::fabs(x[k]), std::fabs(ball.position[k])});
+    // Twice what sides.hpp and curve_sides.hpp doubt.
+    for (const Segment<double>& s : world.walls.segments) {
+      if (&s == wall.segment) continue;
+      const double doubt = 2 * (place_doubt<double>(at, s.from, s.to) + 8 * unit_roundoff<double>() * reach);
+      if (std::fabs(s.height(at)) > doubt) continue;
+      if (!(dot<double, 2>(s.along, at - s.from) < -doubt) && !(dot<double, 2>(s.along, at - s.to) > doubt)) return false;
+    }
+    for (const Arc<double>& arc : world.walls.arcs) {
+      if (&arc == wall.arc) continue;
+      const double doubt =
+          2 * (place_doubt<double>(at, arc.from, arc.to) + 8 * unit_roundoff<double>() * (reach + 2 * arc.radius));
+      if (!(std::fabs(arc.height(at)) > doubt)) return false;
+    }
+    return true;
+  }
+  return false;
 }
 
 #define CAROM_INSTANTIATE(D)                                                                                  \
@@ -221,7 +274,8 @@ Event<double, D> first_other_wall(const FewRun<D>& run, std::uint32_t i) {
   template void survey(FewRun<D>&, const World<double, D>&);                                                  \
   template void predict_walls(FewRun<D>&, std::uint32_t);                                                     \
   template double flight_to_sphere(const FewRun<D>&, std::uint32_t, std::uint32_t);                           \
-  template Event<double, D> first_other_wall(const FewRun<D>&, std::uint32_t);
+  template void find_other_wall(FewRun<D>&, std::uint32_t);                                                   \
+  template bool stays_clear(const FewRun<D>&, std::uint32_t, const double*);
 CAROM_INSTANTIATE(2)
 CAROM_INSTANTIATE(3)
 #undef CAROM_INSTANTIATE

@@ -91,6 +91,23 @@ const Named scenes[] = {
     {"sphere_in_periods",
      "dimension=3\n[space]\nkind='periodic'\nlower=[0,0,0]\nupper=[1,1.25,1]\n[[wall]]\nkind='circle'\ncentre=[0.5,0.5,0.5]\nradius=0.4\n"
      "side='outside'\n[[ball]]\nposition=[0.1,0.05,0.02]\nvelocity=[0.6,0.8,-0.33]\nradius=0\n"},
+    {"stadium", "[[table]]\nkind='stadium'\nradius=1\nlength=2\n" CAROM_POINT_AT("0.3,0.1")},
+    {"disks_in_a_stadium",
+     "[[table]]\nkind='stadium'\nradius=1\nlength=2\n[[ball]]\nposition=[0.3,0.1]\nvelocity=[0.6,0.8]\nradius=0.25\n"
+     "[[ball]]\nposition=[-0.7,0.1]\nvelocity=[0.1,-0.8]\nradius=0.1\nmass=0.2\n" CAROM_POINT_AT("0.9,-0.2")},
+    {"mushroom", "[[table]]\nkind='mushroom'\ncap_radius=1\nstem_width=0.5\nstem_length=1\n" CAROM_POINT_AT("0.05,0.2")},
+    {"disk_in_a_mushroom",
+     "[[table]]\nkind='mushroom'\ncap_radius=1\nstem_width=0.5\nstem_length=1\n[[ball]]\nposition=[0.05,0.3]\nvelocity=[0.6,0.8]\nradius=0.1\n"},
+    {"pentagon", "[[table]]\nkind='polygon'\nsides=5\nside=1\n" CAROM_POINT_AT("0.1,0.2")},
+    {"rectangle_with_ties", "[[table]]\nkind='rectangle'\nsize=[2,2]\n[[ball]]\nposition=[0.25,0]\nvelocity=[1,0.75]\nradius=0\n"},
+    {"wall_and_circles_in_a_box",
+     "dimension=2\n[space]\nkind='box'\nlower=[0,0]\nupper=[1,1]\n[[wall]]\nkind='circle'\ncentre=[0.5,0.5]\nradius=0.2\nside='outside'\n"
+     "[[wall]]\nkind='segment'\nfrom=[0.1,0.9]\nto=[0.8,0.75]\n[[wall]]\nkind='arc'\ncentre=[0.5,0.5]\nradius=0.45\nfrom_angle=3\nto_angle=5\n"
+     CAROM_POINT_AT("0.5,0.05") "[[ball]]\nposition=[0.9,0.9]\nvelocity=[-0.6,0.31]\nradius=0.03\n"},
+    {"annulus", "[[table]]\nkind='annulus'\ninner=0.4\nouter=1\noffset=0.3\n" CAROM_POINT_AT("-0.9,0")},
+    {"disk_and_point_in_an_ellipse",
+     "[[table]]\nkind='ellipse'\naxes=[3,2]\n[[ball]]\nposition=[0,0]\nvelocity=[0.6,0.8]\nradius=0\n[[ball]]\nposition=[1,0.3]\nvelocity=[0.3,-0.8]\n"
+     "radius=0.2\n"},
     {"materials",
      "dimension=2\n[collision]\nrestitution=0.95\n[space]\nkind='box'\nlower=[0,0]\nupper=[10,10]\n[[gas]]\ncount=6\nradius=0.5\n"},
     {"square_of_ties",

@@ -20,6 +20,7 @@ class FewImpacts {
   CAROM_INLINE static bool hit_ball(Run& run, const typename Run::Slot& slot, const Time<double>& t) {
     const std::uint32_t i = slot.low, j = slot.high;
     const Ball &a = run.world->balls[i], &b = run.world->balls[j];
+    if (run.other_walls && (a.radius == 0 || b.radius == 0)) return false;  // points have sides to be kept on
     double xa[D], xb[D], high[D], low[D], va[D], vb[D], after_a[D], after_b[D], excess;
     fly(a, t, xa);
     fly(b, t, xb);
@@ -70,18 +71,24 @@ class FewImpacts {
   }
   CAROM_INLINE static bool hit_wall(Run& run, std::uint32_t i, const Time<double>& t) {
     const std::uint32_t which = run.wall[i].which;
-    if (which == Run::some_wall) return false;
+    if (which == Run::some_wall) return hit_piece(run, i, t);
     const Ball& ball = run.world->balls[i];
     Exactness<double>& exactness = run.collider->exactness;
     double x[D], v[D];
     FewImpact<D>& told = run.told;
     fly(ball, t, x);
+    if (run.other_walls && ball.radius == 0) {
+      run.wall[i].segment = nullptr;  // what is hit is neither
+      run.wall[i].arc = nullptr;
+      if (!detail::stays_clear(run, i, x)) return false;
+    }
     if (which < 2 * D) {  // the velocity across is turned round, exactly [papers/impact.md]
       const int axis = static_cast<int>(which / 2);
       for (int k = 0; k < D; ++k) v[k] = ball.velocity[k] + 0.0;
       v[axis] = -ball.velocity[axis];
       if (run.tell != nullptr) {
         note(run, told, 0, i, x, t);
+        told.image = Image<D>{};
         told.impulse = 2 * std::fabs(ball.velocity[axis]) * run.world->details[i].mass;
         for (int k = 0; k < D; ++k) told.from_wall[k] = k != axis ? 0.0 : which % 2 == 0 ? 1.0 : -1.0;
       }
@@ -117,6 +124,47 @@ class FewImpacts {
     return true;
   }
 
+  /// The segment or arc that stands in the entry of ball i.
+  CAROM_INLINE static bool hit_piece(Run& run, std::uint32_t i, const Time<double>& t) {
+    if constexpr (D == 2 && !periodic) {
+      const typename Run::Wall& wall = run.wall[i];
+      if (wall.segment == nullptr && wall.arc == nullptr) return false;
+      const Ball& ball = run.world->balls[i];
+      const double side = wall.event.side;
+      double x[D], v[D], high[D], low[D] = {}, still[D] = {}, old[D], excess;
+      fly(ball, t, x);
+      const Vec<double, D> at(x[0], x[1]);
+      const ElasticPair* pair = &run.flat_pair[i];
+      double gap;
+      if (wall.segment != nullptr) {
+        gap = wall.segment->gap(at) - ball.radius;
+        for (int k = 0; k < D; ++k) high[k] = -(side * wall.segment->direction[k]);
+      } else {
+        gap = std::fabs(wall.arc->height(at)) - ball.radius;
+        for (int k = 0; k < D; ++k) high[k] = -((wall.arc->centre[k] - x[k]) * side);
+        pair = &run.arc_pair[i][static_cast<std::size_t>(wall.arc - run.world->walls.arcs.data())][side > 0 ? 1 : 0];
+      }
+      for (int k = 0; k < D; ++k) old[k] = ball.velocity[k];
+      if (!elastic_impact<D>(*pair, high, low, old, still, v, nullptr, excess)) return false;
+      if (ball.radius == 0 && !detail::stays_clear(run, i, x)) return false;
+      FewImpact<D>& told = run.told;
+      if (run.tell != nullptr) {
+        if (!elastic_impulse<D>(*pair, high, low, old, still, told.impulse)) return false;
+        note(run, told, 0, i, x, t);
+        for (int k = 0; k < D; ++k) told.from_wall[k] = -high[k];
+        told.image = Image<D>{};
+        told.side = wall.event.side;
+      }
+      note_gap(run.collider->exactness, gap, ball.radius);
+      write(run, i, x, v, t, Party::wall, wall.event.partner, wall.event.feature);
+      run.world->details[i].contacts[0].side = wall.event.side;
+      ++run.collider->counts.ball_wall;
+      if (run.tell != nullptr) run.tell(run);
+      return true;
+    }
+    return false;
+  }
+
  private:
   static constexpr double most_periods = 64;  ///< detail::start_few relies on it
 
@@ -124,6 +172,7 @@ class FewImpacts {
   CAROM_INLINE static void note(const Run& run, FewImpact<D>& told, int side, std::uint32_t i, const double* x,
                                 const Time<double>& t) {
     told.time = t;
+    told.side = 0;
     if (side == 0) told.low = i;
     told.high = i;
     for (int k = 0; k < D; ++k) {

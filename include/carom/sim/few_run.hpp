@@ -37,6 +37,7 @@ struct FewImpact {
   double at[2][D] = {}, before[2][D] = {};  ///< places, not wrapped, and velocities before, of low and high
   Time<double> previous[2];                 ///< their previous collisions
   double from_wall[D] = {};                 ///< normal of the wall, of any length
+  std::int8_t side = 0;                     ///< of the wall
   double impulse = 0;
 };
 
@@ -64,6 +65,8 @@ struct FewRun {
     std::uint32_t which = 0;  ///< 2 * axis + side of a face, 2 D + row of spheres, or some_wall
     bool tied = false;        ///< it meets two at that moment
     Event<double, D> event;   ///< some_wall
+    const Segment<double>* segment = nullptr;  ///< some_wall, where the loop can carry out the impact: one of these
+    const Arc<double>* arc = nullptr;
     Image<D> image{};         ///< of the sphere, in a periodic space
     double centre[D] = {};    ///< where it stands there
     Image<D> tile{};          ///< of a path that is not looked at to its end: the period where to go on
@@ -85,6 +88,9 @@ struct FewRun {
   std::vector<std::uint32_t> spheres;          ///< rows of walls.spheres that stand still, with a radius
   std::array<std::vector<ElasticPair>, most_balls> sphere_pair;  ///< by ball and row of `spheres`
   bool other_walls = false;
+  bool flat_or_round = false;  ///< the other walls are segments, arcs and vertices at rest
+  std::array<ElasticPair, most_balls> flat_pair{};                       ///< by ball: r is a unit normal
+  std::array<std::vector<std::array<ElasticPair, 2>>, most_balls> arc_pair;  ///< by ball and row of walls.arcs: outside, inside
   NearWalls<double, D> near_walls;             ///< of a period of a periodic space
   /// In a periodic plane, by radius of the balls: of the spheres, and of the balls that are fixed.
   std::vector<NextCircles> next_circles, next_fixed;
@@ -179,9 +185,14 @@ template <int D>
 /// Flight of a ball to a circle that stands still and that it does not touch.
 [[nodiscard]] double flight_to_circle(const Ball<double, 2>& ball, double x, double y, double sigma);
 
-/// The first meeting of ball i with walls that the loop does not know itself.
+/// Puts the first meeting of ball i with walls that the loop does not predict itself into its entry.
 template <int D>
-[[nodiscard]] Event<double, D> first_other_wall(const FewRun<D>& run, std::uint32_t i);
+void find_other_wall(FewRun<D>& run, std::uint32_t i);
+
+/// Ball i, a point that is to be stored at x after an impact with the wall that stands in its entry, is certainly not stored so
+/// close to another that rounding may have carried it across (sim/sides.hpp).
+template <int D>
+[[nodiscard]] bool stays_clear(const FewRun<D>& run, std::uint32_t i, const double* x);
 
 /// The first of all slots that are due by `limit` or by what rounding may have made of it, by their exact times; `tied`: two
 /// come at one moment.

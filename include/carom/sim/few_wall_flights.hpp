@@ -43,7 +43,7 @@ class FewWallFlights : FewMeetings<D, Target> {
     for (std::uint32_t n = 0; n < run.spheres.size(); ++n)
       offer(flight_to_sphere(run, i, n, hit && last == 2 * D + n), 2 * D + n);
     if (run.other_walls) {
-      wall.event = detail::first_other_wall(run, i);
+      detail::find_other_wall(run, i);
       if (wall.event.kind != EventKind::none) {
         offer(elapsed(ball.time, wall.event.time), Run::some_wall);
       }
