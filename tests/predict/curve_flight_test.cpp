@@ -220,5 +220,25 @@ TEST(CurveFlight, drops_the_contact_that_it_comes_from) {
     }
 }
 
+// At a small angle to a concave wall of curvature k the way to the next contact is 2 angle / k, k that of the curve on which the
+// centre moves; the height over the wall is rounding long before.
+TEST(CurveFlight, comes_back_to_a_wall_that_it_leaves_almost_along_it) {
+  const Ellipse<double> e = ellipse(2.0, 1.0, true);
+  const PolarCurve<double> c = polar({1.0, 0.0, 0.1, 0.05}, {0.0, 0.1, 0.0, 0.02}, true);
+  const auto judge = [](const auto& curve, double u, double radius, double angle) {
+    const TracedFrame<double> at = curve.frame(u);
+    const double stretch = length_of<double>(at.along), k = cross2<double>(at.along, at.bend) / (stretch * stretch * stretch);
+    const V along = at.along / stretch, n = at.left() / stretch, x = at.place + radius * n, v = along + angle * n;
+    const double t = flight_to_curve<false, double>(curve, x, v, V(0, 0), radius, Touch::spent, 1).flight;
+    EXPECT_NEAR(t * k / (1 - radius * k) / (2 * angle), 1.0, 200 * angle + 1e-3) << u << ' ' << radius << ' ' << angle;
+  };
+  for (const double u : {1.0, 3.0, 5.0})
+    for (const double radius : {0.0, 0.1})
+      for (const double angle : {1e-4, 1e-5, 1e-6}) {
+        if (radius > 0) judge(e, u, radius, angle);  // a point has the closed form
+        judge(c, u, radius, angle);
+      }
+}
+
 }  // namespace
 }  // namespace carom

@@ -139,6 +139,7 @@ class FirstMeeting {
   /// Whether all is known of the piece: its one meeting, or that it has none for so long.
   [[nodiscard]] bool settle(TracedPiece<Real>& p) {
     crosses_ = true;
+    if (const Real until = away_until(p); until > p.bound) return later(p, until);
     if (radius_ > 0 && !curve_.closed() && (!(p.from > curve_.begin()) || !(p.to < curve_.end()))) return false;  // its ends
     OneMeeting<Real, Curve, Path> one(curve_, path_, radius_, p);
     bends_ = one.bends();
@@ -161,6 +162,19 @@ class FirstMeeting {
     if (!(t > 0) || !is_on(one.parameter())) return later(p, until);
     if (t < first_.time) first_ = {t, one.parameter()};
     return true;
+  }
+  /// As long as the ball moves away from every place y on the piece, (x - y).v > 0, it does not meet it. For a time in which the
+  /// way to the first of them at most doubles that product falls by at most 2 |x - y| A + |y' - y| A a unit of time.
+  [[nodiscard]] Real away_until(const TracedPiece<Real>& p) const {
+    using std::sqrt;
+    if (!(radius_ > 0)) return p.bound;
+    const Vec<Real, 2> r = path_.at(p.bound) - p.first, v = path_.velocity(p.bound);
+    const Real extent = length_of<Real>(Vec<Real, 2>(p.last - p.first)) + p.bulge(bend_), speed = length_of<Real>(v);
+    const Real sure = dot<Real, 2>(r, v) - (extent + doubt_) * speed, pull = path_.bend();
+    if (!(sure > 0)) return p.bound;
+    if (!(pull > 0)) return never<Real>();
+    const Real way = length_of<Real>(r), turns = sure / (pull * (2 * way + extent)), doubles = way / (speed + sqrt(Real(pull * way)));
+    return p.bound + (turns < doubles ? turns : doubles);
   }
   /// A point past an end by no more than rounding is on the curve still: it does not slip through a joint.
   [[nodiscard]] bool is_on(const Real& u) const {
