@@ -6,11 +6,10 @@
 namespace carom {
 
 template <int D>
-bool Shells<D>::lay_out(const Swarm<D>& swarm, double largest_radius, double thickness) {
+bool Shells<D>::lay_out(const Swarm<D>& swarm, double thickness) {
   const auto& space = swarm.rest.space;
-  const double cut = 2 * largest_radius + thickness;
+  const double cut = 2 * swarm.species[0].radius + thickness;
   periodic_ = space.periodic();
-  thickness_ = thickness;
   // Balls that can meet have centres of shells up to the sum of their radii + 2 radius_ apart. Distances are taken between
   // points of the grid, each step of which is within 2^-10 the same: that, and the rounding of positions, take less than
   // 2^-6 of the thickness, which is above cut / 16.
@@ -29,11 +28,11 @@ bool Shells<D>::lay_out(const Swarm<D>& swarm, double largest_radius, double thi
     widest = std::max(widest, space.edge[k] / cells_along_[k]);
   }
   // A cell has as many steps as make a step come nearest to 2^-10 of the widest cell; within 2^-10 it is taken for that.
-  per_step_ = 1024 / widest;
-  cut_square_ = static_cast<std::int32_t>(cut * per_step_ * (cut * per_step_)) + 1;
+  const double per_step = 1024 / widest;
+  cut_square_ = static_cast<std::int32_t>(cut * per_step * (cut * per_step)) + 1;
   for (int k = 0; k < D; ++k) {
     const double cell = space.edge[k] / cells_along_[k];
-    steps_in_cell_[k] = static_cast<std::int32_t>(std::round(cell * per_step_));
+    steps_in_cell_[k] = static_cast<std::int32_t>(std::round(cell * per_step));
     step_lanes_[k] = cell / steps_in_cell_[k];
     cell_lanes_[k] = cell;
     lower_lanes_[k] = lower_[k] + step_lanes_[k] / 2;
@@ -41,17 +40,27 @@ bool Shells<D>::lay_out(const Swarm<D>& swarm, double largest_radius, double thi
     per_period_lanes_[k] = 1 / space.edge[k];
   }
   const std::uint32_t n = swarm.size();
-  slots = PageArray<Slot>(n);
+  make_room(n);
   home_ = PageArray<Home>(n);
-  scratch_ = PageArray<std::uint32_t>(n + 16);
   cells_ = PageArray<Cell>(total);
   for (std::size_t c = 0; c < total; ++c) cells_[c].next = none;
-  more_ = PageArray<More>();
-  free_cell_ = free_more_ = none;
   return true;
 }
 
-template bool Shells<2>::lay_out(const Swarm<2>&, double, double);
-template bool Shells<3>::lay_out(const Swarm<3>&, double, double);
+template <int D>
+bool Shells<D>::lay_out(const Swarm<D>& swarm, const std::vector<Shell>& shells) {
+  std::vector<std::uint32_t> counts(shells.size());
+  for (std::uint32_t i = 0; i < swarm.size(); ++i) ++counts[swarm.past[i].species];
+  if (!sized_.lay_out(swarm.rest.space, shells, counts)) return false;
+  make_room(swarm.size());
+  shell_ = PageArray<Shell>(shells.size());
+  for (std::size_t s = 0; s < shells.size(); ++s) shell_[s] = shells[s];
+  return true;
+}
+
+template bool Shells<2>::lay_out(const Swarm<2>&, double);
+template bool Shells<3>::lay_out(const Swarm<3>&, double);
+template bool Shells<2>::lay_out(const Swarm<2>&, const std::vector<Shell>&);
+template bool Shells<3>::lay_out(const Swarm<3>&, const std::vector<Shell>&);
 
 }  // namespace carom

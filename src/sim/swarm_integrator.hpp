@@ -16,6 +16,7 @@
 #include "carom/sim/swarm_run.hpp"
 #include "carom/world/swarm.hpp"
 #include "carom/world/swarm_maker.hpp"
+#include "shell_sizes.hpp"
 
 namespace carom {
 
@@ -112,25 +113,10 @@ template <int D>
 
 /// What a run of many balls is set up with.
 struct SwarmSetup {
-  double neighbours = 0;  ///< balls that a shell's reach holds on average: sets the thickness
+  double neighbours = 0;  ///< balls that a shell's reach holds on average: sets the thickness; 0: best_neighbours
   bool vectors = true;
 };
 
-/// Neighbours wanted: measured best, 3-D at packing 0.30 and 0.49, disks at 0.65 (papers/speed).
-template <int D>
-inline constexpr double best_neighbours = D == 3 ? 12.6 : 8.4;
-
-/// What the shells are made after.
-struct BallSizes {
-  double largest = 0, sum = 0;  ///< [length unit] of the radii
-  std::size_t balls = 0;
-
-  void add(double radius, std::size_t count = 1) {
-    largest = std::max(largest, radius);
-    sum += radius * static_cast<double>(count);
-    balls += count;
-  }
-};
 template <int D>
 [[nodiscard]] inline BallSizes sizes_of(const Swarm<D>& swarm) {
   BallSizes sizes;
@@ -143,18 +129,6 @@ template <int D>
   for (const auto& ball : parts.world.balls) sizes.add(ball.radius);
   for (const GasBalls& gas : parts.gases) sizes.add(gas.radius, gas.position.size() / static_cast<std::size_t>(D));
   return sizes;
-}
-
-/// Thickness of the shells at which a ball has so many neighbours, not below a tenth of the largest diameter.
-template <int D>
-[[nodiscard]] inline double shell_thickness(const Space<double, D>& space, const BallSizes& sizes, double neighbours) {
-  double volume = 1;
-  for (int k = 0; k < D; ++k) volume *= space.edge[k];
-  const double n = static_cast<double>(sizes.balls);
-  const double share = neighbours * volume / n;
-  constexpr double pi = 3.141592653589793;
-  const double cut = D == 3 ? std::cbrt(share * 3 / (4 * pi)) : std::sqrt(share / pi);
-  return std::max(cut - 2 * sizes.sum / n, 0.1 * 2 * sizes.largest);
 }
 
 template <int D>
@@ -300,19 +274,17 @@ class SwarmIntegrator {
   void enter(Swarm<D>&& swarm) {
     run_.swarm = std::move(swarm);
     const BallSizes sizes = sizes_of(run_.swarm);
-    largest_ = sizes.largest;
-    const double thickness =
-        shell_thickness(run_.swarm.rest.space, sizes, setup_.neighbours > 0 ? setup_.neighbours : best_neighbours<D>);
+    thickness_ = shell_thickness<D>(run_.swarm.rest.space, sizes, setup_.neighbours);
     run_.plain = !run_.swarm.rest.restitution.any_below_one() &&
                  std::none_of(run_.swarm.species.begin(), run_.swarm.species.end(),
                               [](const Species& s) { return detail::infinite(s.mass); });
     sort_rows(run_.swarm, run_.now);
     const std::uint32_t n = run_.swarm.size();
-    if (!run_.shells.lay_out(run_.swarm, largest_, thickness)) {
+    if (!lay_out_shells()) {
       become_whole(make_world(run_.swarm));
       return;
     }
-    run_.reach = 2 * largest_ + 2 * thickness;
+    run_.reach = 2 * sizes.largest + 2 * thickness_;
     run_.per_bucket = n < 5000 ? 12 : n < 50000 ? 128 : 256;
     run_.far_sighted = n > 3000;
     expect_sort();
@@ -323,12 +295,15 @@ class SwarmIntegrator {
   /// Balls wander off from those that they lie beside in memory: now and then their rows are put in order again, once in
   /// 2000 collisions of a ball (papers/speed).
   void sort_anew() {
-    const double thickness = run_.shells.thickness();
     forget_lists();  // first: sorting takes memory too
     sort_rows(run_.swarm, run_.now);
-    (void)run_.shells.lay_out(run_.swarm, largest_, thickness);  // as before, and so it fits
+    (void)lay_out_shells();  // as before, and so they fit
     expect_sort();
     kernel_.start(run_);
+  }
+  [[nodiscard]] bool lay_out_shells() {
+    return run_.swarm.species.size() == 1 ? run_.shells.lay_out(run_.swarm, thickness_)
+                                          : run_.shells.lay_out(run_.swarm, shells_of(run_.swarm, thickness_));
   }
   void expect_sort() {
     next_sort_ = counts().collisions() + 1000 * static_cast<std::int64_t>(run_.swarm.size());
@@ -395,7 +370,7 @@ class SwarmIntegrator {
   SwarmKernel<D> kernel_{};
   std::unique_ptr<Whole> whole_;
   std::int64_t handed_over_ = 0;
-  double largest_ = 0;  ///< [length unit] radius
+  double thickness_ = 0;  ///< [length unit] of the shells
   std::int64_t next_sort_ = 0;  ///< collisions after which the rows are put in order again
 };
 

@@ -114,6 +114,9 @@ void sort_rows(Swarm<D>& swarm, const Time<double>& t) {
     swarm.reach = std::move(sorted);
   }
   for (std::uint32_t i = 0; i < n; ++i) swarm.row[swarm.past[i].number] = i;
+  if (swarm.species.size() == 1) return;
+  swarm.radius = PageArray<double>(n);
+  for (std::uint32_t i = 0; i < n; ++i) swarm.radius[i] = swarm.kind(i).radius;
 }
 
 template Ball<double, 2> stored_ball(const Swarm<2>&, std::uint32_t);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <ostream>
 #include <string>
@@ -48,7 +50,7 @@ struct Named {
 };
 
 // At low and high density, in the plane and in space, closed and periodic; mixtures; dissipation; a lattice whose balls meet
-// at equal times; balls much faster and much larger than others; fixed ones.
+// at equal times; balls much faster and much larger than others, up to twenty times and of many sizes; fixed ones.
 const Named scenes[] = {
     {"disks", 6400, "dimension=2\n[[gas]]\ncount=400\npacking_fraction=0.3\nradius=0.5\n"},
     {"dense_disks", 12800, "dimension=2\n[[gas]]\ncount=400\npacking_fraction=0.69\nradius=0.5\n"},
@@ -66,6 +68,13 @@ const Named scenes[] = {
     {"ten_to_one", 6400,
      "dimension=2\n[space]\nkind='periodic'\nlower=[0,0]\nupper=[30,30]\n[[gas]]\ncount=4\nradius=2\nmass=400\n"
      "[[gas]]\ncount=500\nradius=0.2\nmass=1\n"},
+    {"one_to_twenty", 8000,
+     "dimension=2\n[space]\nkind='periodic'\nlower=[0,0]\nupper=[20,21]\n[[gas]]\ncount=3\nradius=4\nmass=400\n"
+     "[[gas]]\ncount=900\nradius=0.2\nmass=1\n"},
+    {"one_to_twenty_spheres", 2000,
+     "dimension=3\n[space]\nkind='box'\nlower=[0,0,0]\nupper=[9,9,10]\n[[gas]]\ncount=1\nradius=4\nmass=8000\n"
+     "[[gas]]\ncount=1600\nradius=0.2\nmass=1\n"},
+    {"power_law", 4000, "power law"},
     {"granular", 8000,
      "dimension=2\n[collision]\nrestitution=0.9\n[space]\nkind='periodic'\nlower=[0,0]\nupper=[30,30]\n[[gas]]\ncount=300\n"
      "packing_fraction=0.3\n"},
@@ -94,8 +103,24 @@ std::string rows_of_disks() {
   return text;
 }
 
+// Disks of 24 radii from 0.2 to 4, as many of each as cover the same area, at area fraction 0.6.
+std::string power_law() {
+  std::string text = "dimension=2\n[space]\nkind='periodic'\nlower=[0,0]\nupper=[60,65]\n";
+  for (int k = 23; k >= 0; --k) {
+    const double radius = 0.2 * std::pow(20.0, k / 23.0), area = 3.141592653589793 * radius * radius;
+    text += "[[gas]]\ncount=" + std::to_string(std::max(1, int(0.6 * 60 * 65 / 24 / area))) + "\nradius=" + std::to_string(radius) +
+            "\nmass=" + std::to_string(area) + "\n";
+  }
+  return text;
+}
+
+std::string text_of(const Named& named) {
+  const std::string text = named.text;
+  return text.empty() ? rows_of_disks() : text == "power law" ? power_law() : text;
+}
+
 Scene scene_of(const Named& named, const char* search, const char* queue, bool vectors = true) {
-  return read_scene((*named.text == 0 ? rows_of_disks() : std::string(named.text)) + "[run]\nevents=1000000\n", "test",
+  return read_scene(text_of(named) + "[run]\nevents=1000000\n", "test",
                     {{"engine.search", '"' + std::string(search) + '"'},
                      {"engine.queue", '"' + std::string(queue) + '"'},
                      {"engine.vectors", vectors ? "true" : "false"}});

@@ -73,7 +73,7 @@ CAROM_INLINE void find_candidates(const Swarm<D>& swarm, std::uint32_t i, const 
   }
   const LaneMask own_epoch = LaneMask{} + own.epoch;
   const Lanes own_offset = spread(own.offset);
-  const double own_radius = swarm.template kind<equal>(i).radius;
+  const double own_radius = swarm.template radius_of<equal>(i);
   // Rounding puts d off by no_root a r.r at most: what is further below 0 passes by.
   const double doubt = 4 * detail::no_root * (reach * reach);
   Lanes sigma = spread(own_radius + own_radius), ss = sigma * sigma;
@@ -98,7 +98,7 @@ CAROM_INLINE void find_candidates(const Swarm<D>& swarm, std::uint32_t i, const 
       epoch_bits = c4, offset = c5;
     }
     if constexpr (!equal) {
-      for (int k = 0; k < lanes; ++k) sigma[k] = own_radius + swarm.kind(j[k]).radius;
+      for (int k = 0; k < lanes; ++k) sigma[k] = own_radius + swarm.radius[j[k]];
       ss = sigma * sigma;
       touching = detail::apart * ss;
       wide_ss = ss + doubt;
@@ -174,7 +174,7 @@ CAROM_INLINE FirstFew meet_four(const PairTermsOfList<equal>& terms, std::uint64
     row[k] = near[at[k] == nothing ? 0 : at[k]];
     left &= left - 1;
   }
-  const auto chosen = [&at](const double* from) { return Lanes{from[at[0]], from[at[1]], from[at[2]], from[at[3]]}; };
+  const auto chosen = [&at](const double* from) __attribute__((always_inline)) { return Lanes{from[at[0]], from[at[1]], from[at[2]], from[at[3]]}; };
   const LaneMask there = LaneMask{0, 1, 2, 3} < LaneMask{} + static_cast<long long>(__builtin_popcountll(candidates));
   const Lanes b = chosen(terms.b), rr = chosen(terms.rr), a = chosen(terms.a), cross = chosen(terms.cross);
   const Lanes sum = equal ? spread(sigma) : chosen(terms.sigma);

@@ -4,59 +4,43 @@
 // A ball stays within `radius` of the centre of its shell until it leaves it; then it gets a new one [DonevTorquatoStillinger
 // 2005]. Two balls are neighbours if their centres are closer than the sum of their radii + `thickness`, and thickness > 2
 // radius: whoever is to be met is in the list. Centres are points of a grid, up to 1024 steps a cell, so that whether two
-// balls are neighbours is decided in integers, the same from both sides, and the bits of no ball are touched.
+// balls are neighbours is decided in integers, the same from both sides, and the bits of no ball are touched. Balls of several
+// kinds have shells and cells by their size (search/sized_cells.hpp): `equal` false, below.
 
 #include <bit>
 #include <cstdint>
+#include <vector>
 
 #include "carom/core/lanes.hpp"
 #include "carom/core/pages.hpp"
+#include "carom/search/neighbour_lists.hpp"
+#include "carom/search/sized_cells.hpp"
 #include "carom/world/swarm.hpp"
 
 namespace carom {
 
-/// What is due next for a ball, and who is near it. Two cache lines.
-struct alignas(64) Slot {
-  Time<double> first;           ///< its first meeting, or a bound below it
-  std::uint32_t partner;        ///< row of a ball, or a face: see Slot::wall
-  std::uint32_t partner_stamp;  ///< when predicted
-  Time<double> second;          ///< its second meeting, or a bound below it
-  std::uint32_t second_partner;
-  std::uint32_t second_stamp;
-  std::int64_t exit;    ///< epoch at whose beginning it is still within its shell
-  std::uint32_t count;  ///< neighbours
-  std::uint32_t more;   ///< block of those that have no room here
-  std::uint32_t near[16];
-
-  static constexpr std::uint32_t wall = 0xffff0000U;     ///< + row of the face
-  static constexpr std::uint32_t unknown = 0xfffefffeU;  ///< second_partner: there may be one after `first`
-  static constexpr std::uint32_t here = 16;
-
-  [[nodiscard]] CAROM_INLINE bool exit_first() const { return exit < first.epoch || (exit == first.epoch && 0 < first.offset); }
-  /// When the ball is to be looked at.
-  [[nodiscard]] CAROM_INLINE Time<double> due() const { return exit_first() ? Time<double>{exit, 0.0} : first; }
-};
-static_assert(sizeof(Slot) == 128);
-
 template <int D>
-class Shells {
+class Shells : public NeighbourLists {
  public:
-  static constexpr std::uint32_t none = ~std::uint32_t{0};
+  /// Makes room for the shells of a swarm of equal balls; lists and cells are empty. False if the space is too small for that.
+  bool lay_out(const Swarm<D>& swarm, double thickness);
+  /// The same for balls of several kinds, with a shell for each species.
+  bool lay_out(const Swarm<D>& swarm, const std::vector<Shell>& shells);
 
-  PageArray<Slot> slots;  ///< by row
-
-  /// Makes room for the shells of a swarm, with cells for balls whose neighbours have centres at most `cut` apart; lists and
-  /// cells are empty. False if the space is too small for that.
-  bool lay_out(const Swarm<D>& swarm, double largest_radius, double thickness);
-
-  [[nodiscard]] CAROM_INLINE double radius() const { return radius_; }
-  [[nodiscard]] double thickness() const noexcept { return thickness_; }
   [[nodiscard]] std::size_t bytes() const noexcept {
-    return slots.bytes() + home_.bytes() + cells_.bytes() + more_.bytes() + scratch_.bytes();
+    return NeighbourLists::bytes() + home_.bytes() + cells_.bytes() + sized_.bytes();
+  }
+  /// How far ball i may stray from the centre of its shell [length unit].
+  template <bool equal>
+  [[nodiscard]] CAROM_INLINE double radius(const Swarm<D>& swarm, std::uint32_t i) const {
+    if constexpr (equal) return radius_;
+    return shell_[swarm.past[i].species].radius;
   }
 
   /// The shell of ball i is put about x, which may lie outside of a period.
-  CAROM_INLINE void place(std::uint32_t i, const double (&x)[D]) {
+  template <bool equal>
+  CAROM_INLINE void place([[maybe_unused]] const Swarm<D>& swarm, std::uint32_t i, const double (&x)[D]) {
+    if constexpr (!equal) return sized_.place(i, x, shell_[swarm.past[i].species].reach);
     std::uint32_t fraction = 0;
     for (int k = 0; k < D; ++k) {
       double share = (x[k] - lower_[k]) * per_cell_[k];
@@ -74,7 +58,7 @@ class Shells {
     std::uint32_t block = cell;
     while (cells_[block].count == in_cell) {
       if (cells_[block].next == none) {
-        const std::uint32_t fresh = take_block(cells_, free_cell_);
+        const std::uint32_t fresh = take_block();
         cells_[fresh].count = 0;
         cells_[fresh].next = none;
         cells_[block].next = fresh;
@@ -86,7 +70,9 @@ class Shells {
     c.ball[c.count] = i;
     ++c.count;
   }
+  template <bool equal>
   CAROM_INLINE void displace(std::uint32_t i) {
+    if constexpr (!equal) return sized_.displace(i);
     std::uint32_t block = cell_of(i);
     while (true) {
       Cell& c = cells_[block];
@@ -102,7 +88,9 @@ class Shells {
   }
 
   /// From the centre of ball i's shell to x, by the shortest way; lanes beyond D are 0 if those of x are.
+  template <bool equal>
   CAROM_INLINE Lanes from_centre(std::uint32_t i, const Lanes& x) const {
+    if constexpr (!equal) return sized_.from_centre(i, x);
     const Home& home = home_[i];
     std::uint32_t cell[lanes], step[lanes];
     for (int k = 0; k < lanes; ++k) {
@@ -113,11 +101,11 @@ class Shells {
     return periodic_ ? u - nearest_integer(u * per_period_lanes_) * period_lanes_ : u;
   }
 
-  /// Finds the neighbours of ball i by the centres; their rows are in found()[0 .. result). `periodic`, `equal`: as laid out.
+  /// Finds the neighbours of ball i by the centres; their rows are in found()[0 .. result). `periodic`: as laid out.
   template <bool periodic, bool equal>
-  CAROM_INLINE std::uint32_t gather(const Swarm<D>& swarm, std::uint32_t i) {
+  CAROM_INLINE std::uint32_t gather(std::uint32_t i) {
+    if constexpr (!equal) return sized_.gather(i, found());
     const Home home = home_[i];
-    const double own = swarm.kind(i).radius;
     // By axis, of the cell below, its own, and the one above: what it adds to the number of a cell, and where the ball is as
     // seen from its lower end.
     std::uint32_t part[3][3] = {};
@@ -133,7 +121,7 @@ class Shells {
       stride *= n;
     }
     const Cell* const cells = cells_.data();
-    std::uint32_t* const found = scratch_.data();
+    std::uint32_t* const found = this->found();
     const Ints8 cut_square = Ints8{} + cut_square_;
     std::uint32_t count = 0;
     for (int dz = 0; dz < (D == 3 ? 3 : 1); ++dz) {
@@ -155,12 +143,7 @@ class Shells {
             Ints8 square = sums_of_squares(differences16(xy, mine_xy));
             if constexpr (D == 3) square += sums_of_squares(((fraction >> 20) - mine_z) & 0xffff);
             const std::uint32_t next = c->next;
-            unsigned bits = sign_bits8(square - cut_square) & ((1U << c->count) - 1U);
-            if constexpr (!equal)
-              for (unsigned rest = bits; rest != 0; rest &= rest - 1) {
-                const int k = std::countr_zero(rest);
-                if (!(square[k] < pair_square(own, swarm, c->ball[k]))) bits &= ~(1U << k);
-              }
+            const unsigned bits = sign_bits8(square - cut_square) & ((1U << c->count) - 1U);
             write_chosen(found + count, c->ball, bits);
             count += static_cast<std::uint32_t>(__builtin_popcount(bits));
             if (next == none) break;
@@ -170,20 +153,21 @@ class Shells {
       }
     }
     for (std::uint32_t k = 0; k < count; ++k)  // not itself
-      if (scratch_[k] == i) {
-        scratch_[k] = scratch_[count - 1];
+      if (found[k] == i) {
+        found[k] = found[count - 1];
         break;
       }
     return count - 1;
   }
-  [[nodiscard]] CAROM_INLINE std::uint32_t* found() { return scratch_.data(); }
-  CAROM_INLINE void fetch_slot(std::uint32_t i) const {
-    __builtin_prefetch(&slots[i]);
-    __builtin_prefetch(&slots[i].near);
+  template <bool equal>
+  CAROM_INLINE void fetch_home(std::uint32_t i) const {
+    if constexpr (!equal) return sized_.fetch_home(i);
+    __builtin_prefetch(&home_[i]);
   }
-  CAROM_INLINE void fetch_home(std::uint32_t i) const { __builtin_prefetch(&home_[i]); }
   /// Asks for the lines that `gather` will read, ahead of it.
+  template <bool equal>
   CAROM_INLINE void fetch_cells(std::uint32_t i) const {
+    if constexpr (!equal) return sized_.fetch_cells(i);
     const std::uint32_t x = home_[i].fine[0] >> 10;
     for (int dz = D == 3 ? -1 : 0; dz <= (D == 3 ? 1 : 0); ++dz) {
       std::uint32_t z = 0;
@@ -204,145 +188,13 @@ class Shells {
     return cell;
   }
 
-  /// Calls f(rows, count) for the pieces of ball i's list.
-  template <class F>
-  CAROM_INLINE void for_each_piece(std::uint32_t i, F&& f) const {
-    const Slot& slot = slots[i];
-    f(slot.near, slot.count < Slot::here ? slot.count : Slot::here);
-    std::uint32_t left = slot.count;
-    for (std::uint32_t block = slot.more; left > Slot::here; block = more_[block].next) {
-      f(more_[block].near, more_[block].count);
-      left -= more_[block].count;
-    }
-  }
-  /// Writes the rows of ball i's list, if they are `count`, and some behind them up to a multiple of four.
-  CAROM_INLINE void copy_list(std::uint32_t i, std::uint32_t count, std::uint32_t* to) const {
-    if (count != slots[i].count) return;
-    for_each_piece(i, [&to](const std::uint32_t* near, std::uint32_t n) {
-      for (std::uint32_t k = 0; k < n; ++k) *to++ = near[k];
-    });
-    for (std::uint32_t k = count; k % lanes != 0; ++k) *to++ = i;
-  }
-  CAROM_INLINE void add(std::uint32_t i, std::uint32_t j) {
-    Slot& slot = slots[i];
-    if (slot.count < Slot::here) {
-      slot.near[slot.count++] = j;
-      return;
-    }
-    const std::uint32_t behind = slot.count - Slot::here;
-    if (behind % in_more == 0) {  // the blocks there are full: the newest comes first
-      const std::uint32_t fresh = take_block(more_, free_more_);
-      more_[fresh].next = slot.more;
-      more_[fresh].count = 0;
-      slots[i].more = fresh;
-    }
-    More& m = more_[slots[i].more];
-    m.near[m.count++] = j;
-    ++slots[i].count;
-  }
-  /// Takes j, which is there, from the list of i.
-  CAROM_INLINE void remove(std::uint32_t i, std::uint32_t j) {
-    Slot& slot = slots[i];
-    std::uint32_t* place = nullptr;
-    const std::uint32_t here = slot.count < Slot::here ? slot.count : Slot::here;
-    const Ints8 wanted = Ints8{} + static_cast<std::int32_t>(j);
-    const unsigned at = (sign_bits8(load8(slot.near) == wanted) | sign_bits8(load8(slot.near + 8) == wanted) << 8) & ((1U << here) - 1U);
-    if (at != 0) place = &slot.near[std::countr_zero(at)];
-    if (slot.count <= Slot::here) {
-      *place = slot.near[--slot.count];
-      return;
-    }
-    for (std::uint32_t block = slot.more; place == nullptr; block = more_[block].next)
-      for (std::uint32_t k = 0; k < more_[block].count; ++k)
-        if (more_[block].near[k] == j) place = &more_[block].near[k];
-    More& m = more_[slot.more];
-    *place = m.near[--m.count];
-    --slot.count;
-    if (m.count == 0) {
-      const std::uint32_t empty = slot.more;
-      slot.more = m.next;
-      m.next = free_more_;
-      free_more_ = empty;
-    }
-  }
-  /// Makes the n rows of found() the neighbours of ball i, on both sides, and calls fresh(k) for each found()[k] that is new.
-  /// `meanwhile` is called while the records of those whose lists change are on their way.
-  template <class F, class G>
-  CAROM_INLINE void update(std::uint32_t i, std::uint32_t n, F&& fresh, G&& meanwhile) {
-    if (n <= 32 && slots[i].count <= Slot::here) {
-      std::uint32_t gone[Slot::here + 1], left = 0;
-      unsigned known = 0;  // bit k: found()[k] is in the list already
-      for (std::uint32_t k = 0; k < slots[i].count; ++k) {
-        const std::uint32_t row = slots[i].near[k];
-        const Ints8 j = Ints8{} + static_cast<std::int32_t>(row);
-        unsigned at = 0;
-        for (std::uint32_t m = 0; m < n; m += 8) at |= sign_bits8(load8(scratch_.data() + m) == j) << m;
-        at &= (n < 32 ? 1U << n : 0U) - 1U;
-        known |= at;
-        gone[left] = row;
-        left += at == 0;
-      }
-      const unsigned add_these = ~known & ((n < 32 ? 1U << n : 0U) - 1U);
-      for (std::uint32_t k = 0; k < left; ++k) fetch_slot(gone[k]);
-      for (unsigned rest = add_these; rest != 0; rest &= rest - 1)
-        fetch_slot(scratch_[static_cast<std::uint32_t>(std::countr_zero(rest))]);
-      meanwhile();
-      for (std::uint32_t k = 0; k < left; ++k) remove(gone[k], i);
-      for (unsigned rest = add_these; rest != 0; rest &= rest - 1) {
-        const std::uint32_t k = static_cast<std::uint32_t>(std::countr_zero(rest));
-        add(scratch_[k], i);
-        fresh(k);
-      }
-    } else {
-      meanwhile();
-      const auto is_found = [this, n](std::uint32_t j) {
-        for (std::uint32_t k = 0; k < n; ++k)
-          if (scratch_[k] == j) return true;
-        return false;
-      };
-      const auto was_there = [this, i](std::uint32_t j) {
-        bool there = false;
-        for_each_piece(i, [&there, j](const std::uint32_t* near, std::uint32_t count) {
-          for (std::uint32_t k = 0; k < count; ++k) there |= near[k] == j;
-        });
-        return there;
-      };
-      for_each_piece(i, [&](const std::uint32_t* near, std::uint32_t count) {
-        for (std::uint32_t k = 0; k < count; ++k)
-          if (!is_found(near[k])) remove(near[k], i);
-      });
-      for (std::uint32_t k = 0; k < n; ++k)
-        if (!was_there(scratch_[k])) {
-          add(scratch_[k], i);
-          fresh(k);
-        }
-    }
-    clear(i);
-    for (std::uint32_t k = 0; k < n; ++k) add(i, scratch_[k]);
-  }
-  CAROM_INLINE void clear(std::uint32_t i) {
-    while (slots[i].count > Slot::here) {
-      const std::uint32_t block = slots[i].more;
-      slots[i].count -= more_[block].count;
-      slots[i].more = more_[block].next;
-      more_[block].next = free_more_;
-      free_more_ = block;
-    }
-    slots[i].count = 0;
-  }
-
  private:
-  static constexpr std::uint32_t in_cell = 7, in_more = 12;  // in_more: a multiple of four
+  static constexpr std::uint32_t in_cell = 7;
 
   struct alignas(64) Cell {
     std::uint32_t fraction[in_cell];  // 10 bits an axis
     std::uint32_t count;
     std::uint32_t ball[in_cell];
-    std::uint32_t next;
-  };
-  struct alignas(64) More {
-    std::uint32_t near[in_more];
-    std::uint32_t count;
     std::uint32_t next;
   };
   struct Home {
@@ -359,37 +211,27 @@ class Shells {
     to = static_cast<std::uint32_t>(there);
     return true;
   }
-  CAROM_INLINE std::int32_t pair_square(double own, const Swarm<D>& swarm, std::uint32_t j) const {
-    const double cut = ((own + swarm.kind(j).radius) + thickness_) * per_step_;
-    return static_cast<std::int32_t>(cut * cut) + 1;
-  }
-  template <class T>
-  CAROM_INLINE std::uint32_t take_block(PageArray<T>& blocks, std::uint32_t& free) {
-    if (free != none) {
-      const std::uint32_t block = free;
-      free = blocks[block].next;
-      return block;
-    }
-    blocks.resize(blocks.size() + 1);
-    return static_cast<std::uint32_t>(blocks.size() - 1);
+  CAROM_INLINE std::uint32_t take_block() {
+    cells_.resize(cells_.size() + 1);
+    return static_cast<std::uint32_t>(cells_.size() - 1);
   }
 
   bool periodic_ = false;
-  double thickness_ = 0, radius_ = 0;
-  double per_step_ = 0;           // what one step of any axis is taken for
+  double radius_ = 0;
   std::int32_t cut_square_ = 0;   // in steps
   std::int32_t steps_in_cell_[D] = {};  // at most 1024
   double lower_[D] = {}, per_cell_[D] = {};
   Lanes lower_lanes_ = {}, period_lanes_ = {}, cell_lanes_ = {}, step_lanes_ = {}, per_period_lanes_ = {};  // the lower end: of the middle of a step
   std::uint32_t cells_along_[D] = {};
-  std::uint32_t free_cell_ = none, free_more_ = none;
   PageArray<Home> home_;
   PageArray<Cell> cells_;
-  PageArray<More> more_;
-  PageArray<std::uint32_t> scratch_;
+  SizedCells<D> sized_;
+  PageArray<Shell> shell_;  // by species
 };
 
-extern template bool Shells<2>::lay_out(const Swarm<2>&, double, double);
-extern template bool Shells<3>::lay_out(const Swarm<3>&, double, double);
+extern template bool Shells<2>::lay_out(const Swarm<2>&, double);
+extern template bool Shells<3>::lay_out(const Swarm<3>&, double);
+extern template bool Shells<2>::lay_out(const Swarm<2>&, const std::vector<Shell>&);
+extern template bool Shells<3>::lay_out(const Swarm<3>&, const std::vector<Shell>&);
 
 }  // namespace carom

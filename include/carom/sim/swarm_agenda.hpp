@@ -75,7 +75,7 @@ class SwarmAgenda {
     if (run.head + 12 < n) {
       const std::uint32_t i = run.agenda[run.head + 12].ball;
       fetch_near(run, i);
-      if (run.shells.slots[i].exit_first()) run.shells.fetch_cells(i);
+      if (run.shells.slots[i].exit_first()) run.shells.template fetch_cells<equal>(i);
     }
     if (run.head + 6 < n) {
       const std::uint32_t j = run.agenda[run.head + 6].partner;
@@ -124,14 +124,17 @@ class SwarmAgenda {
     __builtin_prefetch(&run.swarm.flights[i]);
     __builtin_prefetch(&run.swarm.past[i]);
     __builtin_prefetch(&run.swarm.stamp[i]);
-    run.shells.fetch_home(i);
+    run.shells.template fetch_home<equal>(i);
     __builtin_prefetch(&run.shells.slots[i].near);
   }
 
   CAROM_INLINE static void fetch_near(const Run& run, std::uint32_t i) {
     const Slot& slot = run.shells.slots[i];
     const std::uint32_t n = slot.count < Slot::here ? slot.count : Slot::here;
-    for (std::uint32_t k = 0; k < n; ++k) __builtin_prefetch(&run.swarm.flights[slot.near[k]]);
+    for (std::uint32_t k = 0; k < n; ++k) {
+      __builtin_prefetch(&run.swarm.flights[slot.near[k]]);
+      if constexpr (!equal) __builtin_prefetch(&run.swarm.radius[slot.near[k]]);
+    }
   }
 };
 

@@ -33,7 +33,7 @@ class SwarmImpact {
     }
     const WideLanes dots = sums_in_order<D>(two_diff(va, vb) * r, r * r);  // g.r, r.r
     const DoubleDouble gr = dots[0], rr = dots[1];
-    note_gap(run, rr, run.swarm.template kind<equal>(i).radius + run.swarm.template kind<equal>(j).radius);
+    note_gap(run, rr, run.swarm.template radius_of<equal>(i) + run.swarm.template radius_of<equal>(j));
     Lanes ua = va, ub = vb;
     if (narrow(gr) > 0) {
       const double ma = run.swarm.template kind<equal>(i).mass, mb = run.swarm.template kind<equal>(j).mass;

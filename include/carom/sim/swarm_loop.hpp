@@ -35,7 +35,7 @@ class SwarmLoop {
     for (std::uint32_t i = 0; i < n; ++i) {
       Slot& slot = run.shells.slots[i];
       slot.count = 0;
-      const std::uint32_t found = run.shells.template gather<periodic, equal>(run.swarm, i);
+      const std::uint32_t found = run.shells.template gather<periodic, equal>(i);
       for (std::uint32_t k = 0; k < found; ++k) run.shells.add(i, run.shells.found()[k]);
     }
     for (std::uint32_t i = 0; i < n; ++i) {
@@ -95,7 +95,7 @@ class SwarmLoop {
         Agenda::enqueue(run, i);
       } else {
         Predictions::look_around(run, i, j);
-                Agenda::enqueue(run, i);
+        Agenda::enqueue(run, i);
         Agenda::enqueue(run, j);
       }
       if (run.verdict != Halt::until) return std::exchange(run.verdict, Halt::until);
@@ -122,9 +122,9 @@ class SwarmLoop {
   [[gnu::noinline, gnu::flatten]] static void renew(Run& run, std::uint32_t i) {
     ++run.work.renewals;
     Shells<D>& shells = run.shells;
-    shells.displace(i);
+    shells.template displace<equal>(i);
     Exits::place(run, i);
-    const std::uint32_t n = shells.template gather<periodic, equal>(run.swarm, i);
+    const std::uint32_t n = shells.template gather<periodic, equal>(i);
     std::uint32_t* const found = shells.found();
     shells.update(
         i, n, [&](std::uint32_t k) { Predictions::offer(run, i, found[k], Predictions::meeting(run, i, found[k])); }, [&] { Exits::set_exits(run, i, i); });

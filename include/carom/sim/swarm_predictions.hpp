@@ -19,7 +19,7 @@ class SwarmPredictions {
 
   /// Both meetings of balls i and j, which have just hit each other at run.now, are found anew.
   [[gnu::noinline, gnu::flatten]] static void look_around(Run& run, std::uint32_t i, std::uint32_t j) {
-    if constexpr (!periodic) {
+    if (!periodic || (!equal && (many_near(run, i) || many_near(run, j)))) {
       look_at_all(run, i, j);
       look_at_all(run, j, i);
       return Exits::set_exits(run, i, j);
@@ -52,8 +52,12 @@ class SwarmPredictions {
   /// Both meetings of ball i are found anew, from the moment of its last collision, run.now.
   [[gnu::noinline, gnu::flatten]] static void look_at_all(Run& run, std::uint32_t i, std::uint32_t hit = nobody) {
     Look at;
-    look(run, i, hit, at);
-    meet(run, i, at);
+    if (!equal && many_near(run, i)) {
+      look_at_many(run, i, hit, at);
+    } else {
+      look(run, i, hit, at);
+      meet(run, i, at);
+    }
     if (!settle(run, i, at)) return look_again(run, i);
     FirstMeetings found;
     for (int k = 0; k < 3; ++k) found.offer(at.first.flight[k], static_cast<std::uint32_t>(at.first.row[k]));
@@ -95,7 +99,7 @@ class SwarmPredictions {
       b += r[k] * g[k];
       rr += r[k] * r[k];
     }
-    const double sigma = run.swarm.template kind<equal>(i).radius + run.swarm.template kind<equal>(j).radius, ss = sigma * sigma;
+    const double sigma = run.swarm.template radius_of<equal>(i) + run.swarm.template radius_of<equal>(j), ss = sigma * sigma;
     if (b >= 0.0 && rr > detail::apart * ss) return Time<double>::never();
     double a = g[0] * g[0], cross;
     for (int k = 1; k < D; ++k) a += g[k] * g[k];
@@ -163,8 +167,35 @@ class SwarmPredictions {
     terms.candidates &= ~bits_of(at.near, at.count, hit);
   }
 
+  /// Too many for one look.
+  CAROM_INLINE static bool many_near(const Run& run, std::uint32_t i) { return run.shells.slots[i].count >= most_near; }
+
+  /// `look` and `meet`, some at a time.
+  [[gnu::noinline, gnu::flatten]] static void look_at_many(Run& run, std::uint32_t i, std::uint32_t hit, Look& at) {
+    constexpr std::uint32_t some = most_near - lanes;
+    auto& terms = at.terms;
+    terms.b[most_near] = terms.rr[most_near] = terms.a[most_near] = terms.cross[most_near] = 1;
+    if constexpr (!equal) terms.sigma[most_near] = 1;
+    at.count = run.shells.slots[i].count;
+    run.work.predictions += at.count;
+    at.first = meet_four(terms, 0, run.shells.slots[i].near, 0);
+    run.shells.for_each_piece(i, [&](const std::uint32_t* near, std::uint32_t count) {
+      for (std::uint32_t from = 0; from < count; from += some) {
+        const std::uint32_t n = count - from < some ? count - from : some;
+        find_candidates<D, periodic>(run.swarm, i, near + from, n, (n + lanes - 1) / lanes, run.reach, terms);
+        terms.candidates &= ~bits_of(near + from, n, hit);
+        for (std::uint64_t left = terms.candidates; left != 0;) {
+          const FirstFew few = meet_four(terms, left, near + from, 2 * run.swarm.template radius_of<equal>(i));
+          left = few.left;
+          at.first.merge(few);
+        }
+      }
+    });
+    at.first.left = 0;
+  }
+
   CAROM_INLINE static void meet(const Run& run, std::uint32_t i, Look& at) {
-    at.first = meet_four(at.terms, at.terms.candidates, at.near, 2 * run.swarm.template kind<equal>(i).radius);
+    at.first = meet_four(at.terms, at.terms.candidates, at.near, 2 * run.swarm.template radius_of<equal>(i));
   }
 
   /// Goes on until the first two meetings are certain, and their order. False: they are to be found pair by pair.
@@ -179,7 +210,7 @@ class SwarmPredictions {
 
   [[gnu::noinline, gnu::flatten]] static void meet_others(const Run& run, std::uint32_t i, Look& at) {
     while (at.first.left != 0)
-      at.first.merge(meet_four(at.terms, at.first.left, at.near, 2 * run.swarm.template kind<equal>(i).radius));
+      at.first.merge(meet_four(at.terms, at.first.left, at.near, 2 * run.swarm.template radius_of<equal>(i)));
   }
 
   /// Those in doubt that may be among the first two are settled. What is not among the four that are known comes after the
@@ -222,7 +253,7 @@ class SwarmPredictions {
   /// The flight of ball i to its meeting with j in twice the precision. False: it can be found only pair by pair.
   CAROM_INLINE static bool meet_closely(const Run& run, std::uint32_t i, std::uint32_t j, double& t) {
     if (run.swarm.flights[j].time() == run.swarm.flights[i].time()) return false;  // they may touch
-    const double sigma = run.swarm.template kind<equal>(i).radius + run.swarm.template kind<equal>(j).radius;
+    const double sigma = run.swarm.template radius_of<equal>(i) + run.swarm.template radius_of<equal>(j);
     double r[D], g[D], image[D];
     (void)pair_state<D, periodic>(run.swarm, i, j, run.clock, r, g, image);
     Vec<double, D> place, velocity;
@@ -239,7 +270,7 @@ class SwarmPredictions {
     const double rate = face.sign > 0 ? ball.v[face.axis] : -ball.v[face.axis];
     if (!(rate < 0)) return never<double>();
     const double x = ball.x[face.axis];
-    const double gap = (face.sign > 0 ? x - face.coordinate : face.coordinate - x) - run.swarm.template kind<equal>(i).radius;
+    const double gap = (face.sign > 0 ? x - face.coordinate : face.coordinate - x) - run.swarm.template radius_of<equal>(i);
     return gap > 0 ? gap / -rate : 0.0;
   }
 

@@ -71,6 +71,7 @@ struct Swarm {
   PageArray<std::uint32_t> stamp;  ///< counts the changes of motion
   PageArray<std::uint32_t> row;    ///< by ball number
   std::vector<Species> species;
+  PageArray<double> radius;        ///< [length unit] by row; empty where all balls are of one kind
   std::vector<double> reach;       ///< by row; only where impacts dissipate (BallDetail::reach)
   std::vector<std::string> names;  ///< by ball number; empty if no ball has one
   World<double, D> rest;           ///< all of the world but its balls
@@ -83,6 +84,10 @@ struct Swarm {
   template <bool equal = false>
   [[nodiscard]] CAROM_INLINE const Species& kind(std::uint32_t i) const {
     return species[equal ? 0 : past[i].species];
+  }
+  template <bool equal>
+  [[nodiscard]] CAROM_INLINE double radius_of(std::uint32_t i) const {
+    return equal ? species[0].radius : radius[i];
   }
 };
 
