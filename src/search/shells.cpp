@@ -18,7 +18,8 @@ bool Shells<D>::lay_out(const Swarm<D>& swarm, double thickness) {
   double widest = 0;
   for (int k = 0; k < D; ++k) {
     const double n = std::floor(space.edge[k] / cut);
-    if (periodic_ && n < 3) return false;
+    // Neighbours, up to cut + thickness apart, have one image each: the others are further away.
+    if (periodic_ && (n < 3 || !(space.edge[k] > 2 * (cut + thickness) * (1 + 0x1p-6)))) return false;
     if (!(n < 0x1p20)) return false;
     cells_along_[k] = std::max(1U, static_cast<std::uint32_t>(n));
     total *= cells_along_[k];

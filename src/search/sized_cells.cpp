@@ -9,12 +9,13 @@ template <int D>
 bool SizedCells<D>::lay_out(const Space<double, D>& space, const std::vector<Shell>& shells,
                             const std::vector<std::uint32_t>& counts) {
   std::vector<std::pair<float, std::uint32_t>> reaches;  // and how many have it, the largest first
-  double thinnest = 0;
+  double thinnest = 0, widest = 0;  // [length unit] radii of shells
   std::size_t balls = 0;
   for (std::size_t s = 0; s < shells.size(); ++s) {
     if (counts[s] == 0) continue;
     reaches.push_back({shells[s].reach, counts[s]});
     thinnest = thinnest == 0 ? shells[s].radius : std::min(thinnest, shells[s].radius);
+    widest = std::max(widest, shells[s].radius);
     balls += counts[s];
   }
   if (reaches.empty()) return false;
@@ -28,8 +29,8 @@ bool SizedCells<D>::lay_out(const Space<double, D>& space, const std::vector<She
   double volume = 1;
   for (int k = 0; k < D; ++k) {
     const double edge = space.edge[k], step = edge / steps_;
-    // Neighbours have one image each: the others are further away.
-    if (periodic_ && !(edge > 2 * cut * (1 + 0x1p-6))) return false;
+    // Neighbours have one image each, wherever they are in their shells: the others are further away.
+    if (periodic_ && !(edge > 2 * (cut + 2 * widest) * (1 + 0x1p-6))) return false;
     // Distances are taken in floats: off by less than 2^-20 of the largest, which is less than 2^-6 of any shell's radius.
     if (!(step < thinnest * 0x1p-8) || !(cut * 0x1p-13 < thinnest)) return false;
     volume *= edge;

@@ -17,9 +17,11 @@ bool swarm_fits(const WorldAndGases<D>& parts) {
   if (world.space.kind == SpaceKind::open || walls_of_its_own) return false;
   if (!is_swarm(parts)) return false;
   const BallSizes sizes = sizes_of(parts);
-  const double cut = 2 * sizes.largest + shell_thickness<D>(world.space, sizes);
-  for (int k = 0; k < D; ++k)
-    if (world.space.periodic() && world.space.edge[k] < (sizes.equal() ? 3 : 2.1) * cut) return false;
+  const double thickness = shell_thickness<D>(world.space, sizes);
+  if (!(thickness >= least_thickness(sizes))) return false;
+  if (world.space.periodic() && sizes.equal())
+    for (int k = 0; k < D; ++k)
+      if (world.space.edge[k] < 3 * (2 * sizes.largest + thickness)) return false;
   return true;
 }
 

@@ -32,8 +32,13 @@ template <int D>
   return D == 2 ? 8.4 : equal ? 12.6 : 9.0;
 }
 
-/// Thickness of the shells at which a ball of the mean radius has so many neighbours in a gas of such (0: best_neighbours); not
-/// below a tenth of the mean diameter and what the steps of the cells can tell.
+/// A tenth of the mean diameter, and what the steps of the cells can tell.
+[[nodiscard]] inline double least_thickness(const BallSizes& sizes) {
+  return std::max(0.1 * 2 * sizes.sum / static_cast<double>(sizes.balls), 0x1p-10 * sizes.largest);
+}
+
+/// Thickness of the shells at which a ball of the mean radius has so many neighbours in a gas of such (0: best_neighbours); in a
+/// narrow periodic space no more than leaves each pair of neighbours one image (see Shells). Below least_thickness: there is no room.
 template <int D>
 [[nodiscard]] double shell_thickness(const Space<double, D>& space, const BallSizes& sizes, double neighbours = 0) {
   double volume = 1;
@@ -42,7 +47,10 @@ template <int D>
   const double share = (neighbours > 0 ? neighbours : best_neighbours<D>(sizes.equal())) * volume / n;
   constexpr double pi = 3.141592653589793;
   const double cut = D == 3 ? std::cbrt(share * 3 / (4 * pi)) : std::sqrt(share / pi);
-  return std::max(cut - 2 * sizes.sum / n, std::max(0.1 * 2 * sizes.sum / n, 0x1p-10 * sizes.largest));
+  double thickness = std::max(cut - 2 * sizes.sum / n, least_thickness(sizes));
+  if (space.periodic())
+    for (int k = 0; k < D; ++k) thickness = std::min(thickness, space.edge[k] * (0.25 - 0x1p-7) - sizes.largest);
+  return thickness;
 }
 
 /// A shell for each species of a swarm: all of one thickness, since it is the small balls that move and are many; none about

@@ -50,7 +50,7 @@ struct Named {
 };
 
 // At low and high density, in the plane and in space, closed and periodic; mixtures; dissipation; a lattice whose balls meet
-// at equal times; balls much faster and much larger than others, up to twenty times and of many sizes; fixed ones.
+// at equal times; periods hardly wider than the shells; balls much faster and much larger than others, up to twenty times and of many sizes; fixed ones.
 const Named scenes[] = {
     {"disks", 6400, "dimension=2\n[[gas]]\ncount=400\npacking_fraction=0.3\nradius=0.5\n"},
     {"dense_disks", 12800, "dimension=2\n[[gas]]\ncount=400\npacking_fraction=0.69\nradius=0.5\n"},
@@ -90,6 +90,12 @@ const Named scenes[] = {
     {"one_fast_ball", 6400,
      "dimension=2\n[space]\nkind='periodic'\nlower=[0,0]\nupper=[30,30]\n[[ball]]\nposition=[7,7]\nradius=0.3\nmass=1e-9\n"
      "velocity=[1e4,2e3]\n[[gas]]\ncount=250\nradius=0.5\n"},
+    {"narrow", 12800, "dimension=2\n[space]\nkind='periodic'\nlower=[0,0]\nupper=[3.06,49]\n[[gas]]\ncount=400\nradius=0.01\n"},
+    {"narrow_mixture", 12800,
+     "dimension=2\n[space]\nkind='periodic'\nlower=[0,0]\nupper=[2.2,68]\n[[gas]]\ncount=390\nradius=0.01\n[[gas]]\ncount=10\n"
+     "radius=0.05\n"},
+    {"narrow_in_space", 6400,
+     "dimension=3\n[space]\nkind='periodic'\nlower=[0,0,0]\nupper=[3,3.1,30]\n[[gas]]\ncount=300\nradius=0.02\n"},
     {"equal_times", 4000, ""},
 };
 

@@ -29,8 +29,8 @@ class SizedCells {
   static constexpr std::uint32_t none = ~std::uint32_t{0};
   static constexpr std::uint32_t most_classes = 8;
 
-  /// Grids for balls with these shells, of which there are `counts`; all cells are empty. False if the space is not wider than
-  /// twice the largest distance of neighbours, or its steps are too coarse for the shells.
+  /// Grids for balls with these shells, of which there are `counts`; all cells are empty. False if a periodic space is not wider than
+  /// twice the largest distance that neighbours can be at, or its steps are too coarse for the shells.
   bool lay_out(const Space<double, D>& space, const std::vector<Shell>& shells, const std::vector<std::uint32_t>& counts);
 
   [[nodiscard]] std::uint32_t classes() const noexcept { return classes_; }
