@@ -148,7 +148,7 @@ CLI::App* add_sweep_command(CLI::App& program, SweepOptions& options) {
   command->add_option("--count", options.count, "Runs at each combination of values")->type_name("N");
   command->add_option("--seed", options.seed, "Of what is drawn")->type_name("N");
   command->add_flag("--zip", options.zip, "The k-th values of all keys together, in place of each with each");
-  command->add_option("--threads", options.threads, "Runs at a time. DEFAULT: one a processor")->type_name("N")->check(CLI::Range(1, 4096));
+  command->add_option("--threads", options.threads, "Runs at a time; one with decimal digits (mpirun takes more). DEFAULT: one a processor")->type_name("N")->check(CLI::Range(1, 4096));
   command->add_option("--precision", options.precision, "Arithmetic: double, long-double, or decimal digits, as 50")->type_name("P");
   command->add_option("--out", options.out, "Folder for runs.jsonl and runs.csv, a row a run")->type_name("DIR");
   command->add_flag("--resume", options.resume, "Goes on with the rows in the folder");

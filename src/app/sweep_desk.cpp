@@ -6,7 +6,6 @@
 #include <thread>
 #include <utility>
 
-#include "carom/core/multi.hpp"
 #include "sweep_row.hpp"
 
 namespace carom::app {
@@ -66,8 +65,8 @@ std::int64_t SweepDesk::delivered() const {
 }
 
 void work(const SweepPlan& plan, Desk& desk, int threads, std::atomic<bool>& interrupt) {
-  // Boost keeps the digits of new numbers for the whole process: every run sets the same, and puts the same back.
-  const PrecisionScope<Multi> digits(std::max(plan.precision().digits, Precision::least_digits));
+  // Boost keeps the digits of new numbers for the whole process, and changes them within operations on numbers of several.
+  if (plan.precision().kind == Precision::Kind::decimal) threads = 1;
   std::mutex mutex;
   std::exception_ptr failure;
   const auto guarded = [&] {

@@ -196,7 +196,11 @@ class WorldBuilder {
       add_wall(spec, id);
     }
     if constexpr (D == 2) Joints<Real>(walls).join();
-    if (world_.space.kind != SpaceKind::box) return;
+    if (world_.space.kind == SpaceKind::box) add_faces(walls);
+    if (!walls.openings.empty()) walls.openings.resize(walls.labels.size());
+  }
+
+  void add_faces(Walls<Real, D>& walls) {
     for (int k = 0; k < D; ++k)
       for (const int sign : {+1, -1}) {
         Face<Real, D> face;
@@ -209,7 +213,6 @@ class WorldBuilder {
         walls.labels.push_back(std::string(1, "xyz"[k]) + (sign > 0 ? "-" : "+"));
         surfaces_.push_back({scene_.space.material, scene_.space.restitution});
       }
-    if (!walls.openings.empty()) walls.openings.resize(walls.labels.size());
   }
 
   /// What a wall cannot be together with the space and the law.

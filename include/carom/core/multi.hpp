@@ -11,7 +11,8 @@ namespace carom {
 using Multi = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<0>, boost::multiprecision::et_off>;
 
 /// While it lives, new numbers of type Real have `digits` digits; then those before. For Multi this is the state of the process
-/// (before Boost 1.76) or thread: threads need one scope around them all. Types of one precision are left alone.
+/// (before Boost 1.76), which operations on numbers of several precisions change as well: only one thread may compute with it.
+/// Types of one precision are left alone.
 template <class Real>
 class PrecisionScope {
  public:

@@ -23,7 +23,7 @@ struct Walls {
   std::vector<Ellipse<Real>> ellipses;
   std::vector<Parabola<Real>> parabolas;
   std::vector<PolarCurve<Real>> curves;
-  std::vector<bool> openings;       ///< by wall number: balls whose centre comes to it leave; empty: none
+  std::vector<bool> openings;       ///< by wall number: balls whose centre comes to it leave; empty: none, else as many as labels
   std::vector<Swing<Real, D>> swings;
   std::vector<std::string> labels;  ///< by wall number: "0", "1", ... in file order, then the faces "x-", "x+", "y-", ...
 
