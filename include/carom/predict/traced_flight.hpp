@@ -190,12 +190,14 @@ class FirstMeeting {
   }
 
   void divide(TracedPiece<Real>& p) {
-    // Almost along the curve a path may leave it and meet it again within rounding of it: only directions tell where.
-    const bool tangential = !crosses_ && p.to - p.from > finest_;
-    if (p.bulge(bend_) > doubt_ || tangential) return pieces_.push_halves(curve_, p);
+    if (p.bulge(bend_) > doubt_) return pieces_.push_halves(curve_, p);
+    // Almost along the curve a path may leave it and meet it again within rounding of it: only directions tell where. One that
+    // stays so near for long is at the curve.
+    const bool passes = !crosses_ && bends_ && fine_ < most_fine;
+    if (!crosses_ && p.to - p.from > finest_ && ++fine_ < most_fine) return pieces_.push_halves(curve_, p);
     const Real middle = (p.from + p.to) / 2;
     if (p.bound > 0) {
-      if (!crosses_ && bends_) return;  // passes by
+      if (passes) return;
       const TracedMeeting<Real> met = sharpened<Real>(curve_, path_, radius_, {p.bound, middle});
       if (met.time < first_.time) first_ = met;
     } else if (starts_(middle)) {
@@ -208,6 +210,8 @@ class FirstMeeting {
 
   // An overlap of so many doubts is still that of a ball at the curve, which rounding has put there.
   static constexpr int outset = 1024;
+  // Pieces below rounding are divided so often, where one tangent alone takes some hundred.
+  static constexpr int most_fine = 4096;
 
   const Curve& curve_;
   const Path& path_;
@@ -216,6 +220,7 @@ class FirstMeeting {
   const Starts& starts_;
   Real bend_, doubt_, period_;
   Real finest_;  // rounding of the parameter
+  int fine_ = 0;
   // Of the piece in hand: the path crosses its directions one way, and it bends one way.
   bool crosses_ = false, bends_ = false;
   TracedPieces<Real> pieces_;
