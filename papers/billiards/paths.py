@@ -3,7 +3,7 @@
 
 Of a ball in a table with the area Q within reach of its centre and the boundary dQ: exactly pi |Q| / |dQ| in the plane, 4 |Q| / |dQ| in
 space, whatever the shape [Chernov1997]. For a ball of radius R the walls are R nearer. 4e6 collisions of each, `--long` 4e7. Exit
-status 1 if one is off by more than 4 standard errors, or, with `--long`, by more than 5e-4 of it or 5e-4.
+status 1 if one is off by more than 4 standard errors or, with `--long`, by more than 5e-4 of it or 5e-4 itself.
 """
 from study import *
 

@@ -42,28 +42,27 @@ def one(seed):
     return seen["escape_rate"]["value"], seen["escape_rate"]["error"], times
 
 
-def log_sum(runs, n, g):
-    """ln A_n(g) and its derivative."""
-    terms = [math.exp(g * t) for r in runs for t in r[n - 1]]
-    whole = math.fsum(terms)
-    return math.log(whole), math.fsum(e * t for e, t in zip(terms, (t for r in runs for t in r[n - 1]))) / whole
+def sums(times, n, g):
+    """A_n(g) of one run and its derivative."""
+    terms = [math.exp(g * t) for t in times[n - 1]]
+    return math.fsum(terms), math.fsum(e * t for e, t in zip(terms, times[n - 1]))
+
+
+def step(parts):
+    """Newton's for ln A_n+1 - ln A_n; parts has ((A_n, its derivative), (A_n+1, its derivative)) of each run."""
+    (a, da), (b, db) = ((math.fsum(p[k][0] for p in parts), math.fsum(p[k][1] for p in parts)) for k in (0, 1))
+    return math.log(b / a) / (db / b - da / a)
 
 
 def rate_from(runs, n):
-    """g with A_(n+1)(g) = A_n(g), by Newton's method."""
+    """g with A_(n+1)(g) = A_n(g), and its error: the jackknife's, to which one step from g suffices."""
     g = 0.41
     for _ in range(30):
-        (a, da), (b, db) = log_sum(runs, n, g), log_sum(runs, n + 1, g)
-        step = (b - a) / (db - da)
-        g -= step
-        if abs(step) < 1e-9:
-            return g
-    raise ArithmeticError("no root")
-
-
-def jackknife(estimate, runs):
-    n = len(runs)
-    return estimate(runs), (n - 1) * mean([estimate(runs[:k] + runs[k + 1:]) for k in range(n)])[1]
+        parts = [(sums(times, n, g), sums(times, n + 1, g)) for times in runs]
+        if abs(step(parts)) < 1e-9:
+            break
+        g -= step(parts)
+    return g, (len(runs) - 1) * mean([step(parts[:k] + parts[k + 1:]) for k in range(len(runs))])[1]
 
 
 def main():
@@ -74,7 +73,7 @@ def main():
     row("departures", f"{len(rates)}e6", f"{rate:.5f}", f"{error:.5f}", f"{100 * (rate / GAMMA - 1):+.2f} %")
     within("the rate from departures", rate, GAMMA, 0.005 * GAMMA, error)
     for n in range(1, 5):
-        g, g_error = jackknife(lambda some: rate_from(some, n), list(times))
+        g, g_error = rate_from(times, n)
         row(f"bounces {n} to {n + 1}", sum(len(t[n - 1]) for t in times), f"{g:.5f}", f"{g_error:.5f}", f"{100 * (g / GAMMA - 1):+.2f} %")
         within(f"g_{n}", g, GAMMA, math.inf, g_error if n == 3 else None)
     row("cycles", "", GAMMA, "", "")
