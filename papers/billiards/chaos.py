@@ -87,7 +87,8 @@ def sinai():
         l, error, _ = spectrum(scene, "observe.lyapunov=true")
         tau = (1 - math.pi * radius**2) / (2 * radius)
         known, order = -2 * math.log(radius) + CONSTANT, radius * math.log(radius) ** 2
-        row(radius, f"{l[0]:.5f}", f"{error:.5f}", f"{l[0] * tau:.4f}", f"{error * tau:.4f}", f"{known:.4f}", f"{l[0] * tau - known:+.4f}", f"{order:.4f}")
+        row(radius, f"{l[0]:.5f}", f"{error:.5f}", f"{l[0] * tau:.4f}", f"{error * tau:.4f}", f"{known:.4f}",
+            f"{l[0] * tau - known:+.4f}", f"{order:.4f}")
         within("l_0 tau", l[0] * tau, known, order / 3 + 4 * error * tau)
 
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Diffusion in the triangular Lorentz gas against the distance of the disks: diffusion.py CAROM [--long]
 
-A point at speed 1 among disks of radius 1, the distance d of their centres below 4 / sqrt 3, where no straight line is free. Between three disks
-there is a trap of area Q = sqrt(3) d^2 / 4 - pi / 2 with three gaps w = d - 2; a stay in it lasts pi Q / (3 w) on average, exactly. Who forgets
-meanwhile how he came walks at random from trap to trap, d / sqrt 3 a step, so as w -> 0
+A point at speed 1 among disks of radius 1, the distance d of their centres below 4 / sqrt 3, where no straight line is free. Between
+three disks there is a trap of area Q = sqrt(3) d^2 / 4 - pi / 2 with three gaps w = d - 2; a stay in it lasts pi Q / (3 w) on average,
+exactly. A point that forgets meanwhile how it came walks at random from trap to trap, d / sqrt 3 a step, so as w -> 0
     D -> w d^2 / (4 pi Q)                                                        [MachtaZwanzig1983].
 Measured: the slope of the mean square displacement over lags of 4 to 8 stays, D of that over 6 to 12 beside it.
 
@@ -40,7 +40,8 @@ def main():
         value, error, walk = coefficient(d, 64)
         later, later_error, _ = coefficient(d, 96)
         ratios.append((value / walk, error / walk))
-        row(d, f"{value:.5f}", f"{error:.5f}", f"{later:.5f}", f"{later_error:.5f}", f"{walk:.5f}", f"{value / walk:.3f}", f"{error / walk:.3f}")
+        row(d, f"{value:.5f}", f"{error:.5f}", f"{later:.5f}", f"{later_error:.5f}", f"{walk:.5f}", f"{value / walk:.3f}",
+            f"{error / walk:.3f}")
         within("D at longer lags", later, value, math.inf, math.hypot(error, later_error))
     within("D over that of the walk", ratios[0][0], 1, 0.1 if LONG else math.inf, ratios[0][1])
     end()

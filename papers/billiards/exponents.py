@@ -15,14 +15,14 @@ def main():
     head("distance", "l_0", "error", "other code", "[GaspardBaras1995]", "l_1", "l_2", "l_0 + l_3", "free path", "error", "exact")
     for distance, (other, other_error) in OTHER.items():
         height = math.sqrt(3) * distance
-        seen = run(HERE / "lorentz.toml", f"space.upper=[{distance!r}, {height!r}]", f"ball.0.position=[{distance / 2!r}, {(height / 2 - 1) / 2!r}]",
-                   f"ball.2.position=[{distance / 2!r}, {height / 2!r}]", "observe.lyapunov=true", "observe.mean_free_path=true",
-                   events=10_000_000 if LONG else 1_000_000)["observed"]
+        seen = run(HERE / "lorentz.toml", f"space.upper=[{distance!r}, {height!r}]",
+                   f"ball.0.position=[{distance / 2!r}, {(height / 2 - 1) / 2!r}]", f"ball.2.position=[{distance / 2!r}, {height / 2!r}]",
+                   "observe.lyapunov=true", "observe.mean_free_path=true", events=10_000_000 if LONG else 1_000_000)["observed"]
         l = [e["value"] for e in seen["lyapunov"]["exponents"]]
         error, path = seen["lyapunov"]["exponents"][0]["error"], seen["mean_free_path"]
         exact = (math.sqrt(3) * distance**2 / 2 - math.pi) / 2
-        row(distance, f"{l[0]:.5f}", f"{error:.5f}", f"{other}({other_error * 1e4:.0f})", PUBLISHED.get(distance, ""), f"{l[1]:+.0e}", f"{l[2]:+.0e}",
-            f"{l[0] + l[3]:+.0e}", f"{path['value']:.5f}", f"{path['error']:.5f}", f"{exact:.5f}")
+        row(distance, f"{l[0]:.5f}", f"{error:.5f}", f"{other}({other_error * 1e4:.0f})", PUBLISHED.get(distance, ""), f"{l[1]:+.0e}",
+            f"{l[2]:+.0e}", f"{l[0] + l[3]:+.0e}", f"{path['value']:.5f}", f"{path['error']:.5f}", f"{exact:.5f}")
         within("the largest exponent", l[0], other, max(0.01 * other, 4 * math.hypot(error, other_error)))
         within("the free path", path["value"], exact, max(5e-4 * exact, 4 * path["error"]))
         for what, value in (("l_1", l[1]), ("l_2", l[2]), ("l_0 + l_3", l[0] + l[3])):
