@@ -1,8 +1,10 @@
 #include "bench.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <ctime>
+#include <filesystem>
 #include <vector>
 
 #if defined(__GLIBC__)
@@ -10,6 +12,7 @@
 #endif
 
 #include "carom/sim/simulation.hpp"
+#include "carom/write/checkpoint_file.hpp"
 #include "peak_memory.hpp"
 
 namespace carom::app {
@@ -62,6 +65,21 @@ std::int64_t collisions_for(Simulation& simulation, double seconds) {
   }
 }
 
+/// Saves the state, and resumes from it.
+BenchResult::Saved save(Simulation& simulation, const std::string& file) {
+  using Clock = std::chrono::steady_clock;
+  const auto since = [](Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); };
+  BenchResult::Saved saved;
+  Clock::time_point begin = Clock::now();
+  write_checkpoint(file, simulation);
+  saved.save_seconds = since(begin);
+  saved.bytes_per_ball = static_cast<double>(std::filesystem::file_size(file)) / simulation.ball_count();
+  begin = Clock::now();
+  read_checkpoint(file, simulation);
+  saved.resume_seconds = since(begin);
+  return saved;
+}
+
 }  // namespace
 
 BenchResult bench(const BenchCase& c) {
@@ -91,6 +109,7 @@ BenchResult bench(const BenchCase& c) {
   if (predicted)
     result.predictions = static_cast<double>(*simulation.predictions() - *predicted) /
                          static_cast<double>(simulation.counts().collisions() - from);
+  if (!c.checkpoint.empty()) result.saved = save(simulation, c.checkpoint);
   if (fresh) result.bytes_per_ball = (peak_memory_mb() - before_mb) * 1048576 / static_cast<double>(result.balls);
   return result;
 }

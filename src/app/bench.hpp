@@ -20,6 +20,7 @@ struct BenchCase {
   double seconds = 3.5;        ///< of processor time in all windows
   std::uint64_t seed = 1;
   EngineSpec engine{};
+  std::string checkpoint;      ///< file to save the state in after the windows, and to resume from; empty: neither
 };
 
 struct BenchResult {
@@ -30,6 +31,13 @@ struct BenchResult {
   double median = 0.0, lowest = 0.0, highest = 0.0;  ///< collisions a second of processor time, over the windows
   std::optional<double> predictions;    ///< pairs computed a collision; none: the engine does not count them
   std::optional<double> bytes_per_ball; ///< growth of the peak of the resident memory over what was there before
+
+  struct Saved {
+    double bytes_per_ball = 0.0;  ///< of the file
+    double save_seconds = 0.0;    ///< by the clock, until the file is on the disk
+    double resume_seconds = 0.0;  ///< by the clock, until the first events are queued again
+  };
+  std::optional<Saved> saved;
 };
 
 /// The balls have diameter 1 and thermal speed 1. Throws InputError.

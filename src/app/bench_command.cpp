@@ -58,20 +58,25 @@ std::vector<BenchCase> cases(const BenchOptions& options) {
 
 Json row_of(const BenchCase& c, const BenchResult& r) {
   const auto number = [](const std::optional<double>& x) { return x ? Json(*x) : Json(nullptr); };
-  return {{"dimension", c.dimension},
-          {"scene", c.scene ? Json(c.scene->file) : Json(nullptr)},
-          {"packing_fraction", c.scene ? Json(nullptr) : Json(c.packing)},
-          {"balls", r.balls},
-          {"composition", r.composition},
-          {"collisions_per_second", r.median},
-          {"lowest", r.lowest},
-          {"highest", r.highest},
-          {"nanoseconds_per_collision", 1e9 / r.median},
-          {"predictions_per_collision", number(r.predictions)},
-          {"bytes_per_ball", number(r.bytes_per_ball)},
-          {"start_seconds", r.start_seconds},
-          {"warm_up_collisions", r.warm_up_collisions},
-          {"windows", c.windows}};
+  Json row = {{"dimension", c.dimension},
+              {"scene", c.scene ? Json(c.scene->file) : Json(nullptr)},
+              {"packing_fraction", c.scene ? Json(nullptr) : Json(c.packing)},
+              {"balls", r.balls},
+              {"composition", r.composition},
+              {"collisions_per_second", r.median},
+              {"lowest", r.lowest},
+              {"highest", r.highest},
+              {"nanoseconds_per_collision", 1e9 / r.median},
+              {"predictions_per_collision", number(r.predictions)},
+              {"bytes_per_ball", number(r.bytes_per_ball)},
+              {"start_seconds", r.start_seconds},
+              {"warm_up_collisions", r.warm_up_collisions},
+              {"windows", c.windows}};
+  if (r.saved)
+    row["checkpoint"] = {{"bytes_per_ball", r.saved->bytes_per_ball},
+                         {"save_seconds", r.saved->save_seconds},
+                         {"resume_seconds", r.saved->resume_seconds}};
+  return row;
 }
 
 void print(std::ostream& out, const BenchCase& c, const BenchResult& r) {
@@ -83,6 +88,9 @@ void print(std::ostream& out, const BenchCase& c, const BenchResult& r) {
                      1e9 / r.median, number("{:.1f}", r.predictions),
                      number("{:.0f}", r.bytes_per_ball), r.start_seconds, r.composition,
                      c.scene ? ": " + c.scene->file : std::string());
+  if (r.saved)
+    out << fmt::format("     checkpoint: {:.1f} bytes a ball, saved in {:.2f} s, resumed in {:.2f} s\n", r.saved->bytes_per_ball,
+                       r.saved->save_seconds, r.saved->resume_seconds);
   out.flush();
 }
 
@@ -109,6 +117,8 @@ CLI::App* add_bench_command(CLI::App& program, BenchOptions& options) {
   command->add_option("--windows", c.windows, "Windows, of which the median counts")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
+  command->add_option("--checkpoint", c.checkpoint, "Saves each state in this file, and resumes from it: its size, and seconds by the clock")
+      ->type_name("FILE");
   command->add_option("--seed", c.seed, "Of the placement and the velocities")->capture_default_str();
   command->add_option("--search", options.search, "As [engine] search")->type_name("WORD");
   command->add_option("--queue", options.queue, "As [engine] queue")->type_name("WORD");

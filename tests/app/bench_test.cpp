@@ -2,6 +2,8 @@
 
 #include "app/program.hpp"
 
+#include <filesystem>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -54,6 +56,17 @@ TEST(Bench, finds_at_most_340_bytes_a_sphere_at_the_peak) {
   if (bytes.is_null()) GTEST_SKIP() << "this system does not tell";
   EXPECT_LE(bytes.get<double>(), 340);
   EXPECT_GE(bytes.get<double>(), 64 + 32 + 128) << "what a ball's records alone take";
+}
+
+TEST(Bench, saves_and_resumes) {
+  const Folder folder;
+  const auto o = carom(folder, quick_with({"--balls", "2000", "--packing", "0.3", "--checkpoint", "at.carom", "--json"}));
+  ASSERT_EQ(o.status, 0) << o.err;
+  const auto saved = nlohmann::json::parse(o.out)["rows"][0]["checkpoint"];
+  EXPECT_DOUBLE_EQ(saved["bytes_per_ball"].get<double>() * 2000, static_cast<double>(std::filesystem::file_size(folder.file("at.carom"))));
+  EXPECT_LE(saved["bytes_per_ball"].get<double>(), 120);
+  EXPECT_GT(saved["save_seconds"].get<double>(), 0);
+  EXPECT_GT(saved["resume_seconds"].get<double>(), 0);
 }
 
 TEST(Bench, prints_a_table) {
