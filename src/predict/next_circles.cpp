@@ -42,19 +42,22 @@ Cone cone_of(std::uint32_t sector) {
 
 double cross(const Vector& a, const Vector& b) { return a[0] * b[1] - a[1] * b[0]; }
 
-double distance_from_ray(const Vector& x, const Vector& u) {
-  return dot<double, 2>(x, u) <= 0 ? std::sqrt(dot<double, 2>(x, x)) : std::fabs(cross(u, x)) / std::sqrt(dot<double, 2>(u, u));
+bool near_ray(const Vector& x, const Vector& u, double reach) {
+  if (dot<double, 2>(x, u) <= 0) return dot<double, 2>(x, x) <= reach * reach;
+  const double across = cross(u, x);
+  return across * across <= reach * reach * dot<double, 2>(u, u);
 }
-double distance_from(const Vector& x, const Cone& cone) {
+/// x lies within reach of the cone.
+bool near_cone(const Vector& x, const Cone& cone, double reach) {
   const double turn = cross(cone.first, cone.last);
-  if (cross(cone.first, x) * turn >= 0 && cross(x, cone.last) * turn >= 0) return 0;
-  return std::min(distance_from_ray(x, cone.first), distance_from_ray(x, cone.last));
+  if (cross(cone.first, x) * turn >= 0 && cross(x, cone.last) * turn >= 0) return true;
+  return near_ray(x, cone.first, reach) || near_ray(x, cone.last, reach);
 }
 
 /// All that may be met after circle `from` on a way of `limit`, the nearest first.
 std::vector<Candidate> candidates(const Space<double, 2>& space, const std::vector<Sphere<double, 2>>& circles, double radius,
                                   std::uint32_t from, double& limit) {
-  const int far = circles.size() <= 4 ? 7 : circles.size() <= 16 ? 3 : 1;  // periods around that are looked at
+  const int far = circles.size() <= 4 ? 5 : circles.size() <= 16 ? 3 : 1;  // periods around that are looked at
   const auto reach = [&](const auto& circle) { return circle.radius + radius; };
   double largest = 0;
   for (const auto& circle : circles) largest = std::max(largest, reach(circle));
@@ -89,9 +92,10 @@ NextCircles::NextCircles(const Space<double, 2>& space, const std::vector<Sphere
     std::array<std::vector<const Candidate*>, sectors> chosen;
     for (std::uint32_t s = 0; s < sectors; ++s) {
       const Cone cone = cone_of(s);
-      for (const Candidate& c : near)
-        if (distance_from(c.away, cone) <= c.reach * (1 + slack) + edge * slack && chosen[s].size() <= depth * lanes)
-          chosen[s].push_back(&c);
+      for (const Candidate& c : near) {
+        if (chosen[s].size() > depth * lanes) break;
+        if (near_cone(c.away, cone, c.reach * (1 + slack) + edge * slack)) chosen[s].push_back(&c);
+      }
     }
     std::array<std::int32_t, 2>& lowest = lowest_.emplace_back();
     for (std::size_t k = 0; k < 2; ++k) {
@@ -118,7 +122,8 @@ NextCircles::NextCircles(const Space<double, 2>& space, const std::vector<Sphere
           FourShifts shift;
           const std::size_t first = group * lanes, next = first + lanes;
           const double clear = next < chosen[s].size() ? chosen[s][next]->clear : limit;
-          four.within = std::pow(std::max(0.0, clear * (1 - slack) - edge * slack), 2);
+          const double way = std::max(0.0, clear * (1 - slack) - edge * slack);
+          four.within = way * way;
           for (std::size_t m = 0; m < lanes; ++m) {
             if (first + m >= chosen[s].size()) {  // one that stands behind is never met
               const Vector behind = at - cone_of(s).middle * (edge / slack);

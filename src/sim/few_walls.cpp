@@ -116,6 +116,15 @@ void predict_walls_of_periods(FewRun<D>& run, std::uint32_t i) {
   set_flight(run, run.slot_of[i][i], std::max(0.0, leaves), ball.time);
 }
 
+/// In the order of circles_of.
+std::vector<NextCircles> lists_by_radius(const FewRun<2>& run, const std::vector<Sphere<double, 2>>& circles, NextCircles::Of of) {
+  std::vector<NextCircles> lists;
+  for (std::uint32_t i = 0; i < run.world->balls.size(); ++i)
+    if (!run.world->balls[i].fixed && run.circles_of[i] == lists.size())
+      lists.emplace_back(run.world->space, circles, run.world->balls[i].radius, of);
+  return lists;
+}
+
 }  // namespace
 
 template <int D>
@@ -166,32 +175,37 @@ void survey(FewRun<D>& run, const World<double, D>& world) {
   std::array<std::int64_t, static_cast<std::size_t>(D)> one_cell;
   one_cell.fill(1);
   if (!world.walls.empty()) run.near_walls.reset(world, world.space.lower, world.space.edge, one_cell, largest, 0x1p-10);
-  if constexpr (D == 2) {
-    std::vector<Sphere<double, 2>> circles, obstacles;
-    for (const auto& sphere : world.walls.spheres)
-      if (is_plain(world, sphere)) circles.push_back(sphere);
-    run.fixed_row.fill(~std::uint32_t{0});
-    for (std::uint32_t i = 0; i < world.balls.size(); ++i) {
-      if (!world.balls[i].fixed) continue;
-      Sphere<double, 2>& obstacle = obstacles.emplace_back();
-      obstacle.centre = world.balls[i].position;
-      obstacle.radius = world.balls[i].radius;
+  std::vector<double> radii;
+  run.fixed_row.fill(~std::uint32_t{0});
+  for (std::uint32_t i = 0; i < world.balls.size(); ++i) {
+    if (world.balls[i].fixed) {
       run.fixed_row[i] = static_cast<std::uint32_t>(run.fixed.size());
       run.fixed.push_back(i);
+      continue;
     }
-    const auto is_point = [](const auto& obstacle) { return !(obstacle.radius > 0); };  // points do not meet it
-    if (std::any_of(obstacles.begin(), obstacles.end(), is_point)) obstacles.clear();
-    std::vector<double> radii;
-    for (std::size_t i = 0; i < world.balls.size(); ++i) {
-      if (world.balls[i].fixed) continue;
-      const auto known = std::find(radii.begin(), radii.end(), world.balls[i].radius);
-      run.circles_of[i] = static_cast<std::uint32_t>(known - radii.begin());
-      if (known != radii.end()) continue;
-      radii.push_back(world.balls[i].radius);
-      run.next_circles.emplace_back(world.space, circles, radii.back(), NextCircles::Of::walls);
-      run.next_fixed.emplace_back(world.space, obstacles, radii.back(), NextCircles::Of::balls);
-    }
+    const auto known = std::find(radii.begin(), radii.end(), world.balls[i].radius);
+    run.circles_of[i] = static_cast<std::uint32_t>(known - radii.begin());
+    if (known == radii.end()) radii.push_back(world.balls[i].radius);
   }
+}
+
+void miss_circles(FewRun<2>& run) {
+  if (++run.without_circles != 256 || run.other_walls) return;
+  std::vector<Sphere<double, 2>> circles;
+  for (const std::uint32_t row : run.spheres) circles.push_back(run.world->walls.spheres[row]);
+  run.next_circles = lists_by_radius(run, circles, NextCircles::Of::walls);
+}
+
+void miss_fixed(FewRun<2>& run) {
+  if (++run.without_fixed != 1024 || run.fixed.size() < 2) return;  // of one, the images in the order of the path do as well
+  std::vector<Sphere<double, 2>> circles;
+  for (const std::uint32_t i : run.fixed) {
+    Sphere<double, 2>& circle = circles.emplace_back();
+    circle.centre = run.world->balls[i].position;
+    circle.radius = run.world->balls[i].radius;
+    if (!(circle.radius > 0)) return;  // points do not meet it
+  }
+  run.next_fixed = lists_by_radius(run, circles, NextCircles::Of::balls);
 }
 
 template <int D>

@@ -143,6 +143,10 @@ class FewFlights : FewMeetings<D, Target> {
   /// Ball i leaves a fixed ball. Of all fixed balls it is certain which it meets first, and the others wait until then; or
   /// false.
   CAROM_INLINE static bool look_from_fixed(Run& run, std::uint32_t i, std::uint32_t hit, double now) {
+    if (run.next_fixed.empty()) {
+      detail::miss_fixed(run);
+      return false;
+    }
     const Ball& ball = run.world->balls[i];
     const NextCircles& next = run.next_fixed[run.circles_of[i]];
     const Contact<D>& contact = run.world->details[i].contacts[0];

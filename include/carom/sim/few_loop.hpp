@@ -2,8 +2,8 @@
 // The event-driven integrator for few balls: a table of all meetings to come, of which the first happens.
 //
 // The events are those of EventDriven, bit for bit: the same contact times of the same stored states. What is not settled
-// here (a pair close to contact or grazing, a velocity whose rounding is in doubt, an impact that dissipates or is recorded)
-// is computed by the code of EventDriven; what is out of the ordinary, two events at one moment above all, is left to it.
+// here (a pair close to contact or grazing, a velocity whose rounding is in doubt, an impact that dissipates) is computed by
+// the code of EventDriven; what is out of the ordinary, two events at one moment above all, is left to it.
 
 #include <atomic>
 #include <cmath>

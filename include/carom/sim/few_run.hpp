@@ -92,11 +92,13 @@ struct FewRun {
   std::array<ElasticPair, most_balls> flat_pair{};                       ///< by ball: r is a unit normal
   std::array<std::vector<std::array<ElasticPair, 2>>, most_balls> arc_pair;  ///< by ball and row of walls.arcs: outside, inside
   NearWalls<double, D> near_walls;             ///< of a period of a periodic space
-  /// In a periodic plane, by radius of the balls: of the spheres, and of the balls that are fixed.
+  /// In a periodic plane, by radius of the balls: of the spheres, and of the balls that are fixed. Made when a run turns out to be
+  /// so long that they pay.
   std::vector<NextCircles> next_circles, next_fixed;
   std::array<std::uint32_t, most_balls> circles_of{};  ///< rows of both, by ball
   std::vector<std::uint32_t> fixed;                    ///< ball numbers, by row of the circles of next_fixed
   std::array<std::uint32_t, most_balls> fixed_row{};   ///< by ball; those that are not in `fixed`: beyond all rows
+  std::uint32_t without_circles = 0, without_fixed = 0;  ///< how often they would have been asked
   std::int64_t passages = 0;  ///< columns gone through since the last collision
 
   std::array<Slot, most_slots> slot{};
@@ -161,6 +163,10 @@ void plan_walls(FewRun<D>& run, const World<double, D>& world);
 /// Looks at what stands still in a periodic world, once for the whole run.
 template <int D>
 void survey(FewRun<D>& run, const World<double, D>& world);
+
+/// Makes next_circles, or next_fixed, once they have been missed often enough.
+void miss_circles(FewRun<2>& run);
+void miss_fixed(FewRun<2>& run);
 
 /// Fills the table of a world anew; `collider` books what happens in it.
 template <int D>

@@ -68,6 +68,10 @@ class FewWallFlights : FewMeetings<D, Target> {
   /// Ball i leaves the circle that stands in its entry. False if that does not settle which wall it meets first.
   CAROM_INLINE static bool look_from_circle(Run& run, std::uint32_t i, double now) {
     typename Run::Wall& wall = run.wall[i];
+    if (run.next_circles.empty()) {
+      detail::miss_circles(run);
+      return false;
+    }
     if (wall.which == Run::some_wall || run.other_walls) return false;
     const Ball& ball = run.world->balls[i];
     const NextCircles& next = run.next_circles[run.circles_of[i]];
