@@ -7,7 +7,7 @@ namespace carom {
 
 template <int D>
 bool Shells<D>::lay_out(const Swarm<D>& swarm, double thickness) {
-  const auto& space = swarm.rest.space;
+  const auto& space = swarm.frame;
   const double cut = 2 * swarm.species[0].radius + thickness;
   periodic_ = space.periodic();
   // Balls that can meet have centres of shells up to the sum of their radii + 2 radius_ apart. Distances are taken between
@@ -52,7 +52,7 @@ template <int D>
 bool Shells<D>::lay_out(const Swarm<D>& swarm, const std::vector<Shell>& shells) {
   std::vector<std::uint32_t> counts(shells.size());
   for (std::uint32_t i = 0; i < swarm.size(); ++i) ++counts[swarm.past[i].species];
-  if (!sized_.lay_out(swarm.rest.space, shells, counts)) return false;
+  if (!sized_.lay_out(swarm.frame, shells, counts)) return false;
   make_room(swarm.size());
   shell_ = PageArray<Shell>(shells.size());
   for (std::size_t s = 0; s < shells.size(); ++s) shell_[s] = shells[s];

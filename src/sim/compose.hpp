@@ -51,11 +51,20 @@ std::unique_ptr<Simulation::Engine> choose_search(const Scene& scene, World<type
     if (chosen && scene.engine.queue == QueueKind::automatic && few_fits(world))
       return make_few_engine<D>(scene, std::move(world), std::move(composition));
   }
-  if (search == SearchKind::neighbour_list)
+  if (search == SearchKind::neighbour_list) {
+    std::string why;
+    if constexpr (D == 1) {
+      why = "in one dimension a ball has two neighbours";
+    } else if constexpr (std::is_same_v<M, FreeFlight<double, D>>) {
+      why = scene.engine.queue == QueueKind::heap ? "lists have a calendar as queue" : swarm_obstacle(WorldAndGases<D>{world, {}});
+    } else {
+      why = "the balls do not fly freely at constant sizes";
+    }
+    const char* hint = scene.engine.queue == QueueKind::heap ? "Leave engine.queue out, or use search = \"cells\""
+                                                            : "Leave engine.search out, or use \"cells\"";
     throw InputError(Problem{scene.file, scene.engine.where.line, "engine.search = \"neighbour_list\" does not fit this scene",
-                             "it takes lone balls with a radius in free flight, in a box or a periodic space at least three "
-                             "shells wide, law \"restitution\" with contacts one by one, and the calendar as queue",
-                             "Leave engine.search out, or use \"cells\""});
+                             why, hint});
+  }
   if (chosen && D > 1 && std::all_of(world.balls.begin(), world.balls.end(), [](const auto& b) { return b.radius == 0; })) {
     composition.search = "walls alone";
     composition.reasons.push_back(fmt::format("walls alone: {} points, which never meet each other", n));

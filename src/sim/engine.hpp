@@ -68,8 +68,10 @@ inline constexpr std::size_t few_balls = 12;
 /// From so many balls on the integrator for many is taken where it fits.
 inline constexpr std::size_t many_balls = 200;
 
-/// True if the integrator for many balls can move this world: lone balls in free flight, in a box or a periodic space that
-/// holds three shells a side, law "restitution", contacts one by one.
+/// Why the integrator for many balls cannot move these balls, for their user; empty if it can: lone balls in free flight between
+/// walls that stand still, or in a periodic space that is wide enough for lists, law "restitution", contacts one by one.
+template <int D>
+[[nodiscard]] std::string swarm_obstacle(const WorldAndGases<D>& parts);
 template <int D>
 [[nodiscard]] bool swarm_fits(const WorldAndGases<D>& parts);
 template <int D>
@@ -104,6 +106,8 @@ template <int D>
 
 extern template bool swarm_fits(const WorldAndGases<2>&);
 extern template bool swarm_fits(const WorldAndGases<3>&);
+extern template std::string swarm_obstacle(const WorldAndGases<2>&);
+extern template std::string swarm_obstacle(const WorldAndGases<3>&);
 extern template std::unique_ptr<Simulation::Engine> make_swarm_engine(const Scene&, WorldAndGases<2>, Composition);
 extern template std::unique_ptr<Simulation::Engine> make_swarm_engine(const Scene&, WorldAndGases<3>, Composition);
 

@@ -16,6 +16,7 @@
 #include "carom/sim/swarm_run.hpp"
 #include "carom/world/swarm.hpp"
 #include "carom/world/swarm_maker.hpp"
+#include "carom/world/wall_pieces.hpp"
 #include "shell_sizes.hpp"
 
 namespace carom {
@@ -274,7 +275,7 @@ class SwarmIntegrator {
   void enter(Swarm<D>&& swarm) {
     run_.swarm = std::move(swarm);
     const BallSizes sizes = sizes_of(run_.swarm);
-    thickness_ = shell_thickness<D>(run_.swarm.rest.space, sizes, setup_.neighbours);
+    thickness_ = shell_thickness<D>(frame_of(run_.swarm.rest), sizes, setup_.neighbours);
     run_.plain = !run_.swarm.rest.restitution.any_below_one() &&
                  std::none_of(run_.swarm.species.begin(), run_.swarm.species.end(),
                               [](const Species& s) { return detail::infinite(s.mass); });
@@ -287,6 +288,9 @@ class SwarmIntegrator {
     run_.reach = 2 * sizes.largest + 2 * thickness_;
     run_.per_bucket = n < 5000 ? 12 : n < 50000 ? 128 : 256;
     run_.far_sighted = n > 3000;
+    const auto& walls = run_.swarm.rest.walls;
+    run_.pieces = numbered_pieces(walls);
+    run_.near_walls = PageArray<std::uint8_t>(run_.pieces > walls.faces.size() ? n : 0);
     expect_sort();
     kernel_ = swarm_kernel(run_.swarm, setup_.vectors);
     kernel_.start(run_);

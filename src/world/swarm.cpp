@@ -42,6 +42,24 @@ Ball<double, D> stored_ball(const Swarm<D>& swarm, std::uint32_t number) {
 }
 
 template <int D>
+Contact<D> held_contact(const Swarm<D>& swarm, std::uint32_t i) {
+  const Past& past = swarm.past[i];
+  const bool wall = (past.flags & Past::last_was_wall) != 0;
+  Contact<D> contact;
+  contact.party = wall ? Party::wall : Party::ball;
+  contact.partner = past.last_partner;
+  contact.feature = past.last_feature;
+  contact.acted = true;
+  contact.own_stamp = swarm.stamp[i];
+  contact.partner_stamp = past.partner_stamp;
+  if (wall)
+    contact.side = static_cast<std::int8_t>(past.contact_image - 1);
+  else
+    contact.image = unpacked_image<D>(past.contact_image);
+  return contact;
+}
+
+template <int D>
 BallDetail<double, D> stored_detail(const Swarm<D>& swarm, std::uint32_t number) {
   const std::uint32_t i = swarm.row[number];
   const Past& past = swarm.past[i];
@@ -56,17 +74,7 @@ BallDetail<double, D> stored_detail(const Swarm<D>& swarm, std::uint32_t number)
   detail.last_party = wall ? Party::wall : Party::ball;
   detail.last_partner = past.last_partner;
   detail.last_feature = past.last_feature;
-  if ((past.flags & Past::in_contact) != 0) {
-    Contact<D> contact;
-    contact.party = detail.last_party;
-    contact.partner = past.last_partner;
-    contact.feature = past.last_feature;
-    contact.acted = true;
-    contact.own_stamp = swarm.stamp[i];
-    contact.partner_stamp = past.partner_stamp;
-    contact.image = unpacked_image<D>(past.contact_image);
-    detail.contacts.push_back(contact);
-  }
+  if ((past.flags & Past::in_contact) != 0) detail.contacts.push_back(held_contact(swarm, i));
   if (!swarm.names.empty()) detail.name = swarm.names[number];
   return detail;
 }
@@ -84,9 +92,36 @@ World<double, D> make_world(const Swarm<D>& swarm) {
 }
 
 template <int D>
+Space<double, D> frame_of(const World<double, D>& world) {
+  if (world.space.kind != SpaceKind::open) return world.space;
+  Space<double, D> frame;
+  frame.kind = SpaceKind::box;
+  Vec<double, D> upper = Vec<double, D>::Zero();
+  bool any = false;
+  const auto widen = [&](const Vec<double, D>& x, double by) {
+    for (int k = 0; k < D; ++k) {
+      frame.lower[k] = any ? std::min(frame.lower[k], x[k] - by) : x[k] - by;
+      upper[k] = any ? std::max(upper[k], x[k] + by) : x[k] + by;
+    }
+    any = true;
+  };
+  for (const auto& s : world.walls.spheres) widen(s.centre, s.radius);
+  if constexpr (D == 2) {
+    for (const auto& s : world.walls.segments) {
+      widen(s.from, 0);
+      widen(s.to, 0);
+    }
+    for (const auto& a : world.walls.arcs) widen(a.centre, a.radius);
+  }
+  frame.edge = upper - frame.lower;
+  return frame;
+}
+
+template <int D>
 void sort_rows(Swarm<D>& swarm, const Time<double>& t) {
   const std::uint32_t n = swarm.size();
-  const auto& space = swarm.rest.space;
+  swarm.frame = frame_of(swarm.rest);
+  const auto& space = swarm.frame;
   constexpr double cells = D == 2 ? 0x1p31 : 0x1p21;
   std::vector<std::uint32_t> from(n);
   {
@@ -123,8 +158,12 @@ template Ball<double, 2> stored_ball(const Swarm<2>&, std::uint32_t);
 template Ball<double, 3> stored_ball(const Swarm<3>&, std::uint32_t);
 template BallDetail<double, 2> stored_detail(const Swarm<2>&, std::uint32_t);
 template BallDetail<double, 3> stored_detail(const Swarm<3>&, std::uint32_t);
+template Contact<2> held_contact(const Swarm<2>&, std::uint32_t);
+template Contact<3> held_contact(const Swarm<3>&, std::uint32_t);
 template World<double, 2> make_world(const Swarm<2>&);
 template World<double, 3> make_world(const Swarm<3>&);
+template Space<double, 2> frame_of(const World<double, 2>&);
+template Space<double, 3> frame_of(const World<double, 3>&);
 template void sort_rows(Swarm<2>&, const Time<double>&);
 template void sort_rows(Swarm<3>&, const Time<double>&);
 

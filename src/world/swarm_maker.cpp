@@ -91,7 +91,8 @@ void SwarmMaker<D>::add(std::uint32_t number, const Ball<double, D>& ball, const
     int image[D];
     for (int k = 0; k < D; ++k) image[k] = detail.contacts[0].image[k];
     past.flags |= Past::in_contact;
-    past.contact_image = packed_image<D>(image);
+    past.contact_image = detail.last_party == Party::wall ? static_cast<std::uint8_t>(detail.contacts[0].side + 1)
+                                                          : packed_image<D>(image);
     past.partner_stamp = detail.contacts[0].partner_stamp;
   }
   if (!swarm_.reach.empty()) swarm_.reach[number] = detail.reach;

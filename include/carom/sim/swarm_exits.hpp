@@ -25,6 +25,9 @@ class SwarmExits {
     if (ahead * ahead * square > most * most) ahead = most / __builtin_sqrt(square);
     for (int k = 0; k < D; ++k) x[k] = ball.x[k] + ball.v[k] * flown + ball.v[k] * ahead;
     run.shells.template place<equal>(run.swarm, i, x);
+    if constexpr (!periodic)
+      if (run.near_walls.size() != 0)
+        run.near_walls[i] = detail::reaches_walls(run, i, x, run.shells.template radius<equal>(run.swarm, i));
   }
 
   /// When balls i and j leave their shells.

@@ -123,11 +123,13 @@ class SwarmLoop {
     ++run.work.renewals;
     Shells<D>& shells = run.shells;
     shells.template displace<equal>(i);
+    const bool near_walls = Predictions::near_walls(run, i);
     Exits::place(run, i);
     const std::uint32_t n = shells.template gather<periodic, equal>(i);
     std::uint32_t* const found = shells.found();
     shells.update(
         i, n, [&](std::uint32_t k) { Predictions::offer(run, i, found[k], Predictions::meeting(run, i, found[k])); }, [&] { Exits::set_exits(run, i, i); });
+    if (!near_walls) Predictions::offer_walls(run, i);
     Agenda::enqueue(run, i);
   }
 };

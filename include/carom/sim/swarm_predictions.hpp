@@ -64,6 +64,9 @@ class SwarmPredictions {
     if constexpr (!periodic)
       for (std::size_t f = 0; f < run.swarm.rest.walls.faces.size(); ++f)
         found.offer(flight_to_face(run, i, f), Slot::wall + static_cast<std::uint32_t>(f));
+    if (near_walls(run, i))
+      for (std::size_t f = run.swarm.rest.walls.faces.size(); f < run.pieces; ++f)
+        found.offer(detail::flight_to_piece(run, i, f), Slot::wall + static_cast<std::uint32_t>(f));
     if (undecided(found.flight[0], found.flight[1], found.flight[2])) return look_again(run, i);
     Slot& slot = run.shells.slots[i];
     const Time<double> since = run.swarm.flights[i].time();
@@ -87,6 +90,18 @@ class SwarmPredictions {
       for (std::size_t f = 0; f < run.swarm.rest.walls.faces.size(); ++f)
         offer(run, i, Slot::wall + static_cast<std::uint32_t>(f),
               after(run.swarm.flights[i].time(), flight_to_face(run, i, f)));
+    offer_walls(run, i);
+  }
+
+  /// The meetings of ball i with walls that are no faces take their places among those known, if its shell reaches them.
+  CAROM_INLINE static void offer_walls(Run& run, std::uint32_t i) {
+    if (!near_walls(run, i)) return;
+    for (std::size_t f = run.swarm.rest.walls.faces.size(); f < run.pieces; ++f)
+      offer(run, i, Slot::wall + static_cast<std::uint32_t>(f),
+            after(run.swarm.flights[i].time(), detail::flight_to_piece(run, i, f)));
+  }
+  CAROM_INLINE static bool near_walls(const Run& run, std::uint32_t i) {
+    return !periodic && run.near_walls.size() != 0 && run.near_walls[i] != 0;
   }
 
   /// When balls i and j, which are neighbours now, meet.

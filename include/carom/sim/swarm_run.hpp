@@ -81,6 +81,9 @@ struct SwarmRun {
     bool first_hit, second_hit;  ///< they had collided before
   } before;                      ///< how the parties of the collision at hand came; where there is a sink
 
+  std::size_t pieces = 0;              ///< of walls that stand still, faces of the space first: world/wall_pieces.hpp
+  PageArray<std::uint8_t> near_walls;  ///< by row: its shell reaches a piece that is no face; empty where there is none
+
   double reach = 0;  ///< [length unit] centres of neighbours are closer, whatever the ball
 };
 
@@ -124,6 +127,15 @@ bool refill_calendar(SwarmRun<D>& run);
 /// A collision with all that the laws may ask for. Returns false if nothing was changed: only EventDriven knows this one.
 template <int D>
 bool collide_carefully(SwarmRun<D>& run, std::uint32_t i, std::uint32_t partner, const Time<double>& t);
+
+/// Flight of ball i from its stored state to a piece of a wall, by the number of the piece; and a collision with one, as above.
+template <int D>
+[[nodiscard]] double flight_to_piece(const SwarmRun<D>& run, std::uint32_t i, std::size_t piece);
+template <int D>
+bool collide_with_wall(SwarmRun<D>& run, std::uint32_t i, std::size_t piece, const Time<double>& t);
+/// False if ball i cannot touch any piece that is no face in a shell about x, from which it may stray so far.
+template <int D>
+[[nodiscard]] bool reaches_walls(const SwarmRun<D>& run, std::uint32_t i, const double* x, double stray);
 
 /// Hands the sink a record of the elastic collision of i and j (its image) at t that has just been carried out; run.before
 /// tells how they came.

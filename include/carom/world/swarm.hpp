@@ -30,7 +30,8 @@ struct Past {
   std::uint32_t number;         ///< of the ball
   std::uint16_t species;        ///< row of Swarm::species
   std::uint8_t flags;           ///< hit: it has collided; in_contact: with its last partner, at its stored time
-  std::uint8_t contact_image;   ///< of the partner in contact, relative to the stored positions: see packed_image
+  std::uint8_t contact_image;   ///< of the ball in contact, relative to the stored positions: see packed_image; of a wall its
+                                ///< side + 1 (Contact::side)
   std::uint32_t last_partner;   ///< ball or wall number of its last collision
   std::int32_t last_feature;    ///< of the wall
   std::uint32_t partner_stamp;  ///< of that ball, after the impact
@@ -75,6 +76,7 @@ struct Swarm {
   std::vector<double> reach;       ///< by row; only where impacts dissipate (BallDetail::reach)
   std::vector<std::string> names;  ///< by ball number; empty if no ball has one
   World<double, D> rest;           ///< all of the world but its balls
+  Space<double, D> frame;          ///< what the shells' cells fill: see frame_of; set by sort_rows
   double lower[4] = {};            ///< [length unit] of the space; 0 beyond D
   double edge[4] = {};             ///< [length unit] of the space
   double per_edge[4] = {};         ///< 1 / edge
@@ -97,9 +99,17 @@ template <int D>
 template <int D>
 [[nodiscard]] BallDetail<double, D> stored_detail(const Swarm<D>& swarm, std::uint32_t ball);
 
+/// What the ball in row i, which is in contact, touches.
+template <int D>
+[[nodiscard]] Contact<D> held_contact(const Swarm<D>& swarm, std::uint32_t i);
+
 /// The world that the swarm was made of, as it is now.
 template <int D>
 [[nodiscard]] World<double, D> make_world(const Swarm<D>& swarm);
+
+/// The space of a world, or the box about the walls of an open one; its edges are 0 where they bound nothing.
+template <int D>
+[[nodiscard]] Space<double, D> frame_of(const World<double, D>& world);
 
 /// Puts the rows in the order of a Morton curve through the positions at time t.
 template <int D>
@@ -109,8 +119,12 @@ extern template Ball<double, 2> stored_ball(const Swarm<2>&, std::uint32_t);
 extern template Ball<double, 3> stored_ball(const Swarm<3>&, std::uint32_t);
 extern template BallDetail<double, 2> stored_detail(const Swarm<2>&, std::uint32_t);
 extern template BallDetail<double, 3> stored_detail(const Swarm<3>&, std::uint32_t);
+extern template Contact<2> held_contact(const Swarm<2>&, std::uint32_t);
+extern template Contact<3> held_contact(const Swarm<3>&, std::uint32_t);
 extern template World<double, 2> make_world(const Swarm<2>&);
 extern template World<double, 3> make_world(const Swarm<3>&);
+extern template Space<double, 2> frame_of(const World<double, 2>&);
+extern template Space<double, 3> frame_of(const World<double, 3>&);
 extern template void sort_rows(Swarm<2>&, const Time<double>&);
 extern template void sort_rows(Swarm<3>&, const Time<double>&);
 
