@@ -234,7 +234,7 @@ TEST(ManyBallsChoice, says_why_lists_do_not_fit) {
   EXPECT_THAT(why(box + "[collision]\nlaw='stick'\n"), testing::HasSubstr("law = \"restitution\""));
   EXPECT_THAT(why(box + "[[wall]]\nkind='segment'\nfrom=[0,0]\nto=[9,9]\nvelocity=[1,0]\n"), testing::HasSubstr("a wall moves"));
   EXPECT_THAT(why(period + "upper=[40,40]\n[[wall]]\nkind='segment'\nfrom=[0,0]\nto=[9,9]\n"), testing::HasSubstr("periodic"));
-  EXPECT_THAT(why(period + "upper=[40,8]\n"), testing::HasSubstr("a period is shorter than"));
+  EXPECT_THAT(why(period + "upper=[40,2.5]\n"), testing::HasSubstr("a period is too short"));
 }
 
 // Rows are put in order again once in 1000 collisions a ball of the scene: nothing of the motion changes by that. Collisions go
