@@ -1,7 +1,6 @@
 #include "bench.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <ctime>
 #include <filesystem>
@@ -67,16 +66,14 @@ std::int64_t collisions_for(Simulation& simulation, double seconds) {
 
 /// Saves the state, and resumes from it.
 BenchResult::Saved save(Simulation& simulation, const std::string& file) {
-  using Clock = std::chrono::steady_clock;
-  const auto since = [](Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); };
   BenchResult::Saved saved;
-  Clock::time_point begin = Clock::now();
+  double begin = processor_seconds();
   write_checkpoint(file, simulation);
-  saved.save_seconds = since(begin);
+  saved.save_seconds = processor_seconds() - begin;
   saved.bytes_per_ball = static_cast<double>(std::filesystem::file_size(file)) / simulation.ball_count();
-  begin = Clock::now();
+  begin = processor_seconds();
   read_checkpoint(file, simulation);
-  saved.resume_seconds = since(begin);
+  saved.resume_seconds = processor_seconds() - begin;
   return saved;
 }
 

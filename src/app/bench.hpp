@@ -34,8 +34,8 @@ struct BenchResult {
 
   struct Saved {
     double bytes_per_ball = 0.0;  ///< of the file
-    double save_seconds = 0.0;    ///< by the clock, until the file is on the disk
-    double resume_seconds = 0.0;  ///< by the clock, until the first events are queued again
+    double save_seconds = 0.0;    ///< of processor time: waiting for the disk is not in it
+    double resume_seconds = 0.0;  ///< of processor time, until the first events are queued again
   };
   std::optional<Saved> saved;
 };

@@ -117,7 +117,7 @@ CLI::App* add_bench_command(CLI::App& program, BenchOptions& options) {
   command->add_option("--windows", c.windows, "Windows, of which the median counts")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  command->add_option("--checkpoint", c.checkpoint, "Saves each state in this file, and resumes from it: its size, and seconds by the clock")
+  command->add_option("--checkpoint", c.checkpoint, "Saves each state in this file, and resumes from it: its size, and how long that takes")
       ->type_name("FILE");
   command->add_option("--seed", c.seed, "Of the placement and the velocities")->capture_default_str();
   command->add_option("--search", options.search, "As [engine] search")->type_name("WORD");

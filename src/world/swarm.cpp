@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "carom/core/page_vector.hpp"
+
 namespace carom {
 namespace {
 
@@ -16,7 +18,7 @@ std::uint64_t spread_bits(std::uint64_t x) {
 }
 
 template <class T>
-void permute(PageArray<T>& records, const std::vector<std::uint32_t>& from) {
+void permute(PageArray<T>& records, const PageVector<std::uint32_t>& from) {
   PageArray<T> sorted(records.size());
   for (std::size_t i = 0; i < from.size(); ++i) sorted[i] = records[from[i]];
   records = std::move(sorted);
@@ -123,9 +125,9 @@ void sort_rows(Swarm<D>& swarm, const Time<double>& t) {
   swarm.frame = frame_of(swarm.rest);
   const auto& space = swarm.frame;
   constexpr double cells = D == 2 ? 0x1p31 : 0x1p21;
-  std::vector<std::uint32_t> from(n);
+  PageVector<std::uint32_t> from(n);
   {
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> keys(n);
+    PageVector<std::pair<std::uint64_t, std::uint32_t>> keys(n);
     for (std::uint32_t i = 0; i < n; ++i) {
       const Flight<D>& flight = swarm.flights[i];
       const double flown = elapsed(flight.time(), t);
