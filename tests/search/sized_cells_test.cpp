@@ -119,13 +119,14 @@ TEST(SizedCells, find_all_neighbours_one_to_a_thousand) {  // more classes than 
   try_all<3>(1000, 800);
 }
 
+// Centres of shells up to 2 apart, balls up to 0.1 from them: neighbours are at 2.2 at most, and 2 2.2 (1 + 1/64) = 4.469.
 TEST(SizedCells, want_a_period_wider_than_two_neighbours) {
   Space<double, 2> space;
   space.kind = SpaceKind::periodic;
-  space.edge = {4.06, 100};
+  space.edge = {4.46, 100};
   SizedCells<2> cells;
   EXPECT_FALSE(cells.lay_out(space, {{0.1, 1.0F}}, {10}));
-  space.edge = {4.07, 100};
+  space.edge = {4.48, 100};
   EXPECT_TRUE(cells.lay_out(space, {{0.1, 1.0F}}, {10}));
 }
 
