@@ -240,6 +240,7 @@ double resolved_radius(const LatticeSpec& spec, const Region& region) {
   const double r = spec.radius->value;
   if (!spec.packing_fraction) return r;
   const double packing = static_cast<double>(spec.count) * ball_volume(r, region.dimension) / volume;
+  // The radius counts, as in resolve_radii: twelve written digits have to agree.
   if (!(std::abs(packing - spec.packing_fraction->value) <= 1e-12 * packing)) {
     throw InputError(Problem{"", spec.where.line,
                              fmt::format("packing_fraction is {}, but {} balls of radius {} fill {} of [space]",
