@@ -10,36 +10,17 @@
 
 #include "carom/predict/ball_arc.hpp"
 #include "carom/predict/ball_curve.hpp"
+#include "predict/curves.hpp"
 #include "sim/scenes.hpp"
 
 namespace carom {
 namespace {
 
 using testing::Dice;
+using testing::ellipse;
+using testing::polar;
 using V = Vec<double, 2>;
 using Digits50 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
-
-Ellipse<double> ellipse(double a, double b, bool inside) {
-  Ellipse<double> e;
-  e.centre = e.velocity = V(0, 0);
-  e.axis = V(0.6, 0.8);
-  e.a = a;
-  e.b = b;
-  e.round = 2 * pi<double>();
-  e.inside = inside;
-  return e;
-}
-
-PolarCurve<double> polar(std::vector<double> cosines, std::vector<double> sines, bool inside) {
-  PolarCurve<double> c;
-  c.centre = c.velocity = V(0, 0);
-  c.axis = V(0.6, 0.8);
-  c.cosines = std::move(cosines);
-  c.sines = std::move(sines);
-  c.round = 2 * pi<double>();
-  c.inside = inside;
-  return c;
-}
 
 Arc<double> arc(double radius, double from, double turn) {
   Arc<double> a;
