@@ -32,7 +32,7 @@ def scene(number):
         if kind == "box" and dimension == 2 and dice.random() < 0.5:
             centre = [edge * dice.uniform(0.3, 0.7) for edge in edges]
             text += f'[[wall]]\nkind = "circle"\ncentre = {centre}\nradius = {min(edges) * dice.uniform(0.05, 0.2)}\n'
-    kinds, packing = dice.choice([1, 1, 2, 3]), 10 ** dice.uniform(-3, -0.5)
+    kinds, packing = dice.choice([1, 1, 2, 3]), 10 ** dice.uniform(-5, -0.5)
     for _ in range(kinds):
         count = dice.randint(40, 300)
         share = packing / kinds * volume / count
