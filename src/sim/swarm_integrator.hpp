@@ -341,7 +341,7 @@ class SwarmIntegrator {
     run_.shells = Shells<D>();
     run_.calendar = Calendar();
     run_.agenda = PageArray<Due>();
-    run_.sorted = PageArray<Due>();
+    run_.drained = PageArray<Due>();
     run_.bins = PageArray<std::uint8_t>();
     run_.head = 0;
   }

@@ -171,19 +171,20 @@ CAROM_INLINE FirstFew meet_four(const PairTermsOfList<equal>& terms, std::uint64
   std::uint64_t left = candidates;
   for (int k = 0; k < lanes; ++k) {
     at[k] = static_cast<std::uint32_t>(__builtin_ctzll(left | std::uint64_t{1} << nothing));
-    row[k] = near[at[k] == nothing ? 0 : at[k]];
+    row[k] = near[at[k] & (0U - (at[k] != nothing ? 1U : 0U))];
     left &= left - 1;
   }
   const auto chosen = [&at](const double* from) __attribute__((always_inline)) { return Lanes{from[at[0]], from[at[1]], from[at[2]], from[at[3]]}; };
   const LaneMask there = LaneMask{0, 1, 2, 3} < LaneMask{} + static_cast<long long>(__builtin_popcountll(candidates));
   const Lanes b = chosen(terms.b), rr = chosen(terms.rr), a = chosen(terms.a), cross = chosen(terms.cross);
   const Lanes sum = equal ? spread(sigma) : chosen(terms.sigma);
-  const Lanes ss = sum * sum, c = rr - ss, ass = a * ss, d = ass - cross;
-  const LaneMask far = c > detail::near_contact * ss, sure = far & (d > detail::near_grazing * ass + detail::no_underflow);
+  const Lanes ss = sum * sum, c = rr - ss, d = a * ss - cross, scale = a * rr;
+  // As meet_time. Where d is in doubt, more is put in its place than rounding can have taken from it; below so small a share
+  // of the scale root * q never passes.
+  const Lanes root = sqrt(most(d, 0x1p-13 * scale + detail::no_underflow)), q = root - b, t = c / q;
+  const LaneMask sure = (c > detail::near_meeting * ss) & (root * q > detail::near_double_root * scale + detail::no_underflow);
   const LaneMask coming = (b < 0.0) & there, parting = (b >= 0.0) & (rr > detail::apart * ss);
-  // c / (sqrt(d) - b); where that is in doubt with more in the place of d than rounding can have taken from it.
-  const Lanes t = c / (sqrt(sure ? d : 2 * detail::near_grazing * ass + detail::no_underflow) - b);
-  const Lanes bound = far & coming ? 0.99 * t : Lanes{};
+  const Lanes bound = coming & (c > 0x1p-40 * ss) ? 0.99 * t : Lanes{};  // c is off by 2^-11 of itself at most there
   const LaneMask none = parting | ~there, exact = sure & coming;
   FirstFew few;
   few.flight = none ? spread(FirstMeetings::no_flight) : exact ? t : bound;

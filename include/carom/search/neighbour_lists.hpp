@@ -32,6 +32,12 @@ struct alignas(64) Slot {
   [[nodiscard]] CAROM_INLINE bool exit_first() const { return exit < first.epoch || (exit == first.epoch && 0 < first.offset); }
   /// When the ball is to be looked at.
   [[nodiscard]] CAROM_INLINE Time<double> due() const { return exit_first() ? Time<double>{exit, 0.0} : first; }
+  /// The same without a branch, for where nobody can foresee which of the two it is.
+  [[nodiscard]] CAROM_INLINE Time<double> due_of_both() const {
+    const std::int64_t leaves = -static_cast<std::int64_t>(exit < first.epoch + (0 < first.offset ? 1 : 0));
+    return {first.epoch ^ ((first.epoch ^ exit) & leaves),
+            std::bit_cast<double>(std::bit_cast<std::int64_t>(first.offset) & ~leaves)};
+  }
 };
 static_assert(sizeof(Slot) == 128);
 

@@ -41,13 +41,13 @@ class FewMeetings {
       const Lanes cx = r[1] * g[2] - r[2] * g[1], cy = r[2] * g[0] - r[0] * g[2], cz = r[0] * g[1] - r[1] * g[0];
       cross = cx * cx + cy * cy + cz * cz;
     }
-    const Lanes ss = sigma * sigma, ass = a * ss, c = rr - ss, d = ass - cross;
+    const Lanes ss = sigma * sigma, c = rr - ss, d = a * ss - cross, scale = a * rr;
+    const Lanes root = sqrt(d), q = root - b, t = c / q;
     const LaneMask parting = (b >= 0.0) & (rr > carom::detail::apart * ss);
-    const LaneMask far = c > carom::detail::near_contact * ss;
-    const LaneMask passing = far & (-d > carom::detail::no_root * (a * rr) + carom::detail::no_underflow);
-    const LaneMask meeting = far & (d > carom::detail::near_grazing * ass + carom::detail::no_underflow) & ~parting;
+    const LaneMask far = c > carom::detail::near_meeting * ss;
+    const LaneMask passing = far & (-d > carom::detail::no_root * scale + carom::detail::no_underflow);
+    const LaneMask meeting = far & (root * q > carom::detail::near_double_root * scale + carom::detail::no_underflow) & ~parting;
     open = sign_bits(~(parting | passing | meeting));
-    const Lanes t = c / (sqrt(d) - b);
     return meeting ? t : spread(never<double>());
   }
 

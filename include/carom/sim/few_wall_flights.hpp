@@ -112,10 +112,14 @@ class FewWallFlights : FewMeetings<D, Target> {
     if (hit) return never<double>();
     const double sigma = sphere.radius + ball.radius, ss = sigma * sigma, c = rr - ss;
     if (b >= 0.0 && rr > carom::detail::apart * ss) return never<double>();
-    const double a = dot<double, D>(v, v), ass = a * ss, d = ass - cross_squared<double, D>(r, v);
-    if (c > carom::detail::near_contact * ss) {
-      if (-d > carom::detail::no_root * (a * rr) + carom::detail::no_underflow) return never<double>();
-      if (d > carom::detail::near_grazing * ass + carom::detail::no_underflow) return c / (__builtin_sqrt(d) - b);
+    const double a = dot<double, D>(v, v), d = a * ss - cross_squared<double, D>(r, v);
+    if (c > carom::detail::near_meeting * ss) {
+      const double scale = a * rr;
+      if (-d > carom::detail::no_root * scale + carom::detail::no_underflow) return never<double>();
+      if (d > 0.0) {
+        const double root = __builtin_sqrt(d), q = root - b;
+        if (root * q > carom::detail::near_double_root * scale + carom::detail::no_underflow) return c / q;
+      }
     }
     return detail::flight_to_sphere(run, i, n);
   }

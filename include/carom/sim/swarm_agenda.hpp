@@ -31,6 +31,32 @@ class SwarmAgenda {
     run.agenda[k] = due;
   }
 
+  /// Two balls that are still to be entered, in buckets after the current one. When a ball is due is known late, and where
+  /// that belongs nobody can foresee: to put it off until the next impact is under way costs nothing, to wait for it does.
+  struct Waiting {
+    std::uint32_t ball[2];
+    std::int64_t bucket[2];
+    bool any = false;
+  };
+
+  /// Balls i and j are to be entered where they are due: at once if that is the current bucket. Nobody is waiting.
+  CAROM_INLINE static void enqueue_later(Run& run, std::uint32_t i, std::uint32_t j, Waiting& waiting) {
+    const Time<double> ti = run.shells.slots[i].due_of_both(), tj = run.shells.slots[j].due_of_both();
+    const std::int64_t bi = run.calendar.bucket(ti), bj = run.calendar.bucket(tj), now = run.calendar.current();
+    if ((bi <= now) | (bj <= now) | ti.is_never() | tj.is_never()) [[unlikely]] {
+      enqueue(run, i);
+      enqueue(run, j);
+    } else {
+      waiting = {{i, j}, {bi, bj}, true};
+    }
+  }
+  [[gnu::noinline]] static void enqueue_waiting(Run& run, Waiting& waiting) {
+    if (!waiting.any) return;
+    run.calendar.push(waiting.ball[0], waiting.bucket[0]);
+    run.calendar.push(waiting.ball[1], waiting.bucket[1]);
+    waiting.any = false;
+  }
+
   /// The next fine bucket of the calendar, in order.
   [[gnu::noinline, gnu::flatten]] static bool next_bucket(Run& run) {
     run.head = 0;
@@ -43,28 +69,23 @@ class SwarmAgenda {
           ++run.work.drained;
           const Slot& slot = run.shells.slots[i];
           const Time<double> t = slot.due();
-          if (run.calendar.bucket(t) != run.calendar.current()) return;
-          run.agenda.resize(n + 1);
-          run.agenda[n++] = Due{t, i, slot.partner};
+          run.drained.resize(n + 1);
+          run.drained[n] = Due{t, i, slot.partner};
+          n += run.calendar.bucket(t) == run.calendar.current();  // else it is stale
         },
         bucket_of);
     if (!any) return detail::refill_calendar(run);
     if (run.far_sighted) run.calendar.peek([&run](std::uint32_t i) { __builtin_prefetch(&run.shells.slots[i]); });
     ++run.work.buckets;
     run.work.due += static_cast<std::int64_t>(n);
-    Due* const first = run.agenda.data();
-    if (n <= 24) {
-      for (std::size_t k = 1; k < n; ++k) {
-        const Due due = first[k];
-        std::size_t to = k;
-        for (; to > 0 && earlier(run, due, first[to - 1]); --to) first[to] = first[to - 1];
-        first[to] = due;
-      }
+    run.agenda.resize(n);
+    if (n <= few) {
+      sort_by_rank(run, n);
     } else {
-      sort_by_time(run, first, n);
+      sort_by_bins(run, n);
     }
     if (run.far_sighted)
-      for (std::size_t k = 0; k < 20 && k < n; ++k) fetch_parties(run, first[k]);
+      for (std::size_t k = 0; k < 20 && k < n; ++k) fetch_parties(run, run.agenda[k]);
     return true;
   }
 
@@ -90,27 +111,54 @@ class SwarmAgenda {
     return a.ball != b.ball && detail::first_due_at_a_tie(run, a.ball, b.ball);
   }
 
-  /// Puts n balls of the current bucket in order: by shares of its width into bins, and then those that are close.
-  CAROM_INLINE static void sort_by_time(Run& run, Due* first, std::size_t n) {
+  static constexpr std::size_t few = 24;
+
+  /// Puts the n <= few balls of the current bucket in order: by shares of its width, without a branch, and then those whose
+  /// shares are alike.
+  CAROM_INLINE static void sort_by_rank(Run& run, std::size_t n) {
+    const Due* const drained = run.drained.data();
+    Due* const agenda = run.agenda.data();
+    alignas(32) long long key[few], rank[few];
+    for (std::size_t k = 0; k < n; ++k)
+      key[k] = static_cast<long long>(run.calendar.share(drained[k].time) * 0x1p57) << 5 | static_cast<long long>(k);
+    for (std::size_t k = n; k % lanes != 0; ++k) key[k] = 0;
+    for (std::size_t k = 0; k < n; k += lanes) {
+      const LaneMask keys = *reinterpret_cast<const StoredMask*>(key + k);
+      LaneMask after = {};
+      for (std::size_t m = 0; m < n; ++m) after -= keys > LaneMask{} + key[m];
+      *reinterpret_cast<StoredMask*>(rank + k) = after;
+    }
+    for (std::size_t k = 0; k < n; ++k) agenda[rank[k]] = drained[k];
+    std::uint64_t open = 0;
+    for (std::size_t k = 1; k < n; ++k) {
+      const Time<double>&a = agenda[k - 1].time, &b = agenda[k].time;
+      open |= static_cast<std::uint64_t>((a.epoch > b.epoch) | ((a.epoch == b.epoch) & (a.offset >= b.offset))) << k;
+    }
+    if (open != 0)
+      for (std::size_t k = static_cast<std::size_t>(__builtin_ctzll(open)); k < n; ++k) insert(run, k);
+  }
+
+  /// The same for any n: by shares into bins, and then those that are close.
+  CAROM_INLINE static void sort_by_bins(Run& run, std::size_t n) {
     constexpr std::uint32_t bins = 256;
-    run.sorted.resize(n);
     std::uint32_t begin[bins + 1] = {};
     PageArray<std::uint8_t>& bin = run.bins;
     bin.resize(n);
     for (std::size_t k = 0; k < n; ++k) {
-      const double share = run.calendar.share(first[k].time) * bins;
+      const double share = run.calendar.share(run.drained[k].time) * bins;
       bin[k] = static_cast<std::uint8_t>(share < bins - 1 ? static_cast<std::int32_t>(share) : static_cast<std::int32_t>(bins - 1));
       ++begin[bin[k] + 1];
     }
     for (std::uint32_t b = 0; b < bins; ++b) begin[b + 1] += begin[b];
-    for (std::size_t k = 0; k < n; ++k) run.sorted[begin[bin[k]]++] = first[k];
-    first[0] = run.sorted[0];
-    for (std::size_t k = 1; k < n; ++k) {
-      const Due due = run.sorted[k];
-      std::size_t to = k;
-      for (; to > 0 && earlier(run, due, first[to - 1]); --to) first[to] = first[to - 1];
-      first[to] = due;
-    }
+    for (std::size_t k = 0; k < n; ++k) run.agenda[begin[bin[k]]++] = run.drained[k];
+    for (std::size_t k = 1; k < n; ++k) insert(run, k);
+  }
+
+  /// Entry k of the agenda goes to its place among those before it, which are in order.
+  CAROM_INLINE static void insert(Run& run, std::size_t k) {
+    const Due due = run.agenda[k];
+    for (; k > 0 && earlier(run, due, run.agenda[k - 1]); --k) run.agenda[k] = run.agenda[k - 1];
+    run.agenda[k] = due;
   }
 
   CAROM_INLINE static void fetch_parties(const Run& run, const Due& due) {

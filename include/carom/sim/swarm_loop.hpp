@@ -47,10 +47,20 @@ class SwarmLoop {
 
   [[gnu::flatten]] static Halt advance(Run& run, const Time<double>& until, std::int64_t goal,
                                        const std::atomic<bool>* interrupt) {
+    typename Agenda::Waiting waiting;
+    const Halt halt = go_on(run, until, goal, interrupt, waiting);
+    Agenda::enqueue_waiting(run, waiting);
+    return halt;
+  }
+
+ private:
+  CAROM_INLINE static Halt go_on(Run& run, const Time<double>& until, std::int64_t goal, const std::atomic<bool>* interrupt,
+                                 typename Agenda::Waiting& waiting) {
     while (true) {
       if (run.counts.collisions() >= goal) return Halt::events;
       if (interrupt != nullptr && interrupt->load(std::memory_order_relaxed)) return Halt::interrupted;
       if (run.head == run.agenda.size()) {
+        Agenda::enqueue_waiting(run, waiting);
         if (!Agenda::next_bucket(run)) return Halt::idle;
         continue;
       }
@@ -89,20 +99,19 @@ class SwarmLoop {
       run.exactness.clamped += t < run.now;
       run.now = t;
       run.quiet = 0;
+      Agenda::enqueue_waiting(run, waiting);
       if (wall) {
         Predictions::look_at_all(run, i, Predictions::nobody);
         Exits::set_exits(run, i, i);
         Agenda::enqueue(run, i);
       } else {
         Predictions::look_around(run, i, j);
-        Agenda::enqueue(run, i);
-        Agenda::enqueue(run, j);
+        Agenda::enqueue_later(run, i, j, waiting);
       }
       if (run.verdict != Halt::until) return std::exchange(run.verdict, Halt::until);
     }
   }
 
- private:
   /// The partner of ball i's first meeting has been hit by another.
   [[gnu::noinline, gnu::flatten]] static void fall_back(Run& run, std::uint32_t i) {
     Slot& slot = run.shells.slots[i];

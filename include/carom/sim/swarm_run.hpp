@@ -51,8 +51,8 @@ struct SwarmRun {
   Calendar calendar;
   PageArray<Due> agenda;  ///< of the bucket at hand, in order; from `head` on they are still to come
   std::size_t head = 0;
-  PageArray<Due> sorted;          ///< room for sorting
-  PageArray<std::uint8_t> bins;
+  PageArray<Due> drained;       ///< the same as they came from the calendar, with room for one more
+  PageArray<std::uint8_t> bins;  ///< room for sorting
 
   Time<double> now;    ///< of the last collision
   Time<double> clock;  ///< of what was dealt with last: all balls are in their shells then

@@ -15,13 +15,17 @@
 namespace carom {
 
 /// Bound of the relative error of `meet_time` and `leave_time` for double, in units of u = 2^-53 [eq. 10, 11].
-inline constexpr double meet_time_error = 650.0;
+inline constexpr double meet_time_error = 1500.0;
 inline constexpr double leave_time_error = 800.0;
 
 namespace detail {
 
-// c is taken as it comes only above this share of sigma^2, and d only above this share of a sigma^2: their errors, some u
-// of r.r and of a sigma |r|, then stay below meet_time_error.
+// meet_time takes c as it comes only above this share of sigma^2, and d only where sqrt(d) (sqrt(d) - b) is above this share
+// of a r.r: their errors, some u of r.r and of a r.r, then stay below meet_time_error [eq. 10].
+inline constexpr double near_meeting = 0x1p-8;
+inline constexpr double near_double_root = 0x1p-6;
+
+// leave_time and growing_meet_time: the same with shares of sigma^2 and of a sigma^2 [eq. 11, 21].
 inline constexpr double near_contact = 0x1p-7;
 inline constexpr double near_grazing = 0x1p-5;
 
@@ -53,9 +57,12 @@ template <int D>
   const double plain_a = dot<double, D>(v, v);
   const double plain_d = plain_a * plain_ss - cross_squared<double, D>(r, v);
   const DoubleDouble ss = two_prod(sigma, sigma), xx = wide_dot<double, D>(r, r), c = xx - ss;
-  if (plain_d > near_grazing * (plain_a * plain_ss) + no_underflow && c.hi > 0x1p-42 * plain_ss && c.hi < plain_ss) {
-    t = c.hi / (std::sqrt(plain_d) - dot<double, D>(r, v));
-    return true;
+  if (plain_d > 0.0 && c.hi > 0x1p-42 * plain_ss && c.hi < plain_ss) {
+    const double root = std::sqrt(plain_d), q = root - dot<double, D>(r, v);
+    if (root * q > near_double_root * (plain_a * dot<double, D>(r, r)) + no_underflow) {
+      t = c.hi / q;
+      return true;
+    }
   }
   if (!moderate<D>(r, v, sigma)) return false;
   // As pair_terms, whose powers of two change no bit here.
@@ -104,11 +111,14 @@ template <Real T, int D>
     if (b >= 0.0 && rr > detail::apart * ss) return never<T>();
     const double c = rr - ss;
     const double a = dot<T, D>(v, v);
-    const double ass = a * ss;
-    const double d = ass - cross_squared<T, D>(r, v);
-    if (c > detail::near_contact * ss) {
-      if (-d > detail::no_root * (a * rr) + detail::no_underflow) return never<T>();
-      if (d > detail::near_grazing * ass + detail::no_underflow) return c / (sqrt(d) - b);
+    const double d = a * ss - cross_squared<T, D>(r, v);
+    if (c > detail::near_meeting * ss) {
+      const double scale = a * rr;
+      if (-d > detail::no_root * scale + detail::no_underflow) return never<T>();
+      if (d > 0.0) {
+        const double root = sqrt(d), q = root - b;
+        if (root * q > detail::near_double_root * scale + detail::no_underflow) return c / q;
+      }
     }
     return detail::meet_time_close<D>(r, v, sigma);
   } else {
