@@ -288,6 +288,7 @@ class SwarmIntegrator {
     run_.reach = 2 * sizes.largest + 2 * thickness_;
     run_.per_bucket = n < 5000 ? 12 : n < 50000 ? 128 : 256;
     run_.far_sighted = n > 3000;
+    run_.stamps_far = n > 250000;  // 1 MB of stamps
     const auto& walls = run_.swarm.rest.walls;
     run_.pieces = numbered_pieces(walls);
     run_.near_walls = PageArray<std::uint8_t>(run_.pieces > walls.faces.size() ? n : 0);

@@ -64,13 +64,6 @@ class Calendar {
     }
   }
 
-  /// Calls f(ball) for the entries of the fine bucket that follows, without taking them.
-  template <class F>
-  CAROM_INLINE void peek(F&& f) const {
-    for (std::uint32_t c = near_[(now_ + 1) & (fine - 1)]; c != none; c = chunks_[c].next)
-      for (std::uint32_t k = 0; k < chunks_[c].count; ++k) f(chunks_[c].entries[k]);
-  }
-
  private:
   static constexpr std::uint32_t none = ~std::uint32_t{0};
   static constexpr std::int64_t last = std::int64_t{1} << 60;

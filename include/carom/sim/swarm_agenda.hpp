@@ -63,19 +63,28 @@ class SwarmAgenda {
     run.agenda.resize(0);
     if (run.work.buckets >= run.next_tuning) detail::tune_calendar(run);
     const auto bucket_of = [&run](std::uint32_t i) { return run.calendar.bucket(run.shells.slots[i].due()); };
-    std::size_t n = 0;
+    // One step after the other, so that what one entry must wait for keeps no other from being fetched.
+    std::size_t found = 0, n = 0;
     const bool any = run.calendar.next(
-        [&run, &n](std::uint32_t i) {
-          ++run.work.drained;
-          const Slot& slot = run.shells.slots[i];
-          const Time<double> t = slot.due();
-          run.drained.resize(n + 1);
-          run.drained[n] = Due{t, i, slot.partner};
-          n += run.calendar.bucket(t) == run.calendar.current();  // else it is stale
+        [&run, &found](std::uint32_t i) {
+          __builtin_prefetch(&run.shells.slots[i]);
+          run.drained.resize(found + 1);
+          run.drained[found++].ball = i;
         },
         bucket_of);
     if (!any) return detail::refill_calendar(run);
-    if (run.far_sighted) run.calendar.peek([&run](std::uint32_t i) { __builtin_prefetch(&run.shells.slots[i]); });
+    run.work.drained += static_cast<std::int64_t>(found);
+    for (std::size_t k = 0; k < found; ++k) {
+      Due& due = run.drained[k];
+      const Slot& slot = run.shells.slots[due.ball];
+      due.time = slot.due();
+      due.partner = slot.partner;
+    }
+    for (std::size_t k = 0; k < found; ++k) {  // those that are due in another bucket are stale
+      const Due due = run.drained[k];
+      run.drained[n] = due;
+      n += run.calendar.bucket(due.time) == run.calendar.current();
+    }
     ++run.work.buckets;
     run.work.due += static_cast<std::int64_t>(n);
     run.agenda.resize(n);
@@ -181,6 +190,7 @@ class SwarmAgenda {
     const std::uint32_t n = slot.count < Slot::here ? slot.count : Slot::here;
     for (std::uint32_t k = 0; k < n; ++k) {
       __builtin_prefetch(&run.swarm.flights[slot.near[k]]);
+      if (run.stamps_far) __builtin_prefetch(&run.swarm.stamp[slot.near[k]]);
       if constexpr (!equal) __builtin_prefetch(&run.swarm.radius[slot.near[k]]);
     }
   }

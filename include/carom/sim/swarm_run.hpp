@@ -68,6 +68,7 @@ struct SwarmRun {
   std::int64_t tuned_due = 0, tuned_buckets = 0, tuned_collisions = 0;  ///< counts at the last judgement
   Time<double> tuned_at;
   bool far_sighted = false;    ///< fetches the records of coming events ahead: more than the cache holds
+  bool stamps_far = false;     ///< the same for the stamps of all neighbours, which lie beyond a core's own cache
   bool plain = true;           ///< every impact is elastic, no mass infinite: the loop resolves it itself
   std::int64_t quiet = 0;      ///< shells left since the last collision
   Halt verdict = Halt::until;  ///< of the last collision, if it was its last
