@@ -9,6 +9,7 @@ namespace carom {
 namespace {
 
 using namespace testing;
+using ::testing::AnyOf;
 using ::testing::HasSubstr;
 
 Scene resting(int dimension, Coordinates acceleration, double e) {
@@ -282,7 +283,7 @@ Scene settling_gas(double contact_time, double e = 0.9) {
   return scene;
 }
 
-// Fifty disks settle: the run reaches its end or says who lies on whom, and the books balance all the way.
+// Fifty disks settle: the run reaches its end or says why it does not, and the books balance all the way.
 TEST(Rest, of_a_gas_never_hangs) {
   for (const double contact_time : {0.0, 1e-2, 1e-4}) {
     Scene scene = settling_gas(contact_time);
@@ -291,7 +292,7 @@ TEST(Rest, of_a_gas_never_hangs) {
     EXPECT_TRUE(stop == Stop::until || stop == Stop::collapse) << int(stop);
     const Summary s = simulation.summary();
     if (stop == Stop::collapse) {
-      EXPECT_THAT(s.stopped->reason, HasSubstr("Remedies"));
+      EXPECT_THAT(s.stopped->reason, AnyOf(HasSubstr("Remedies"), HasSubstr("without room to move")));
     }
     EXPECT_LE(s.energy.relative_error, 1e-12);
     EXPECT_EQ(s.exactness.clamped, 0);
