@@ -120,7 +120,7 @@ class SwarmAgenda {
     return a.ball != b.ball && detail::first_due_at_a_tie(run, a.ball, b.ball);
   }
 
-  static constexpr std::size_t few = 24;
+  static constexpr std::size_t few = 24;  ///< below 32: a key of sort_by_rank ends with its place, in five bits
 
   /// Puts the n <= few balls of the current bucket in order: by shares of its width, without a branch, and then those whose
   /// shares are alike.

@@ -51,7 +51,7 @@ struct SwarmRun {
   Calendar calendar;
   PageArray<Due> agenda;  ///< of the bucket at hand, in order; from `head` on they are still to come
   std::size_t head = 0;
-  PageArray<Due> drained;       ///< the same as they came from the calendar, with room for one more
+  PageArray<Due> drained;        ///< the same as they came from the calendar
   PageArray<std::uint8_t> bins;  ///< room for sorting
 
   Time<double> now;    ///< of the last collision
