@@ -279,6 +279,8 @@ class SwarmIntegrator {
     run_.plain = !run_.swarm.rest.restitution.any_below_one() &&
                  std::none_of(run_.swarm.species.begin(), run_.swarm.species.end(),
                               [](const Species& s) { return detail::infinite(s.mass); });
+    if (const Species& kind = run_.swarm.species[0]; run_.swarm.species.size() == 1 && run_.plain)
+      run_.pair = elastic_pair(2 * kind.radius, kind.mass, kind.mass, 0);
     sort_rows(run_.swarm, run_.now);
     const std::uint32_t n = run_.swarm.size();
     if (!lay_out_shells()) {
@@ -286,9 +288,8 @@ class SwarmIntegrator {
       return;
     }
     run_.reach = 2 * sizes.largest + 2 * thickness_;
-    run_.per_bucket = n < 5000 ? 12 : n < 50000 ? 128 : 256;
+    run_.per_bucket = n < 5000 ? 18 : n < 50000 ? 32 : 256;
     run_.far_sighted = n > 3000;
-    run_.stamps_far = n > 250000;  // 1 MB of stamps
     const auto& walls = run_.swarm.rest.walls;
     run_.pieces = numbered_pieces(walls);
     run_.near_walls = PageArray<std::uint8_t>(run_.pieces > walls.faces.size() ? n : 0);

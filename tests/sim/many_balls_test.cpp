@@ -98,7 +98,8 @@ const Named scenes[] = {
      "radius=0.05\n"},
     {"narrow_in_space", 6400,
      "dimension=3\n[space]\nkind='periodic'\nlower=[0,0,0]\nupper=[3,3.1,30]\n[[gas]]\ncount=300\nradius=0.02\n"},
-    {"equal_times", 4000, ""},
+    {"equal_times", 4000, "rows"},
+    {"neighbours_hit_at_one_moment", 4000, "groups"},
     {"walls_in_a_box", 6400,
      "dimension=2\n[space]\nkind='box'\nlower=[0,0]\nupper=[24,20]\n[[wall]]\nkind='segment'\nfrom=[10,3]\nto=[14,17]\n"
      "[[wall]]\nkind='circle'\ncentre=[5,5]\nradius=2\nside='outside'\n[[wall]]\nkind='plane'\npoint=[20,0]\nnormal=[-1,1]\n"
@@ -122,6 +123,22 @@ std::string rows_of_disks() {
   return text;
 }
 
+// Groups of four disks: 0 hits 1 at the moment at which 3 hits 2. 1 would meet 2 as that was before, and does not.
+std::string groups_of_four() {
+  std::string text = "dimension=2\n[space]\nkind='periodic'\nlower=[0,0]\nupper=[32,32]\n";
+  const auto ball = [&text](double x, double y, const std::string& velocity) {
+    text += "[[ball]]\nradius=0.25\nposition=[" + std::to_string(x) + "," + std::to_string(y) + "]\nvelocity=[" + velocity + "]\n";
+  };
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x) {
+      ball(4 * x + 0.5, 4 * y + 3.125, "1,0");
+      ball(4 * x + 1.5, 4 * y + 3.125, "0,0");
+      ball(4 * x + 2.25, 4 * y + 3, "0,0");
+      ball(4 * x + 2.25, 4 * y + 0.5, "0,4");
+    }
+  return text;
+}
+
 // Disks of 24 radii from 0.2 to 4, as many of each as cover the same area, at area fraction 0.6.
 std::string power_law() {
   std::string text = "dimension=2\n[space]\nkind='periodic'\nlower=[0,0]\nupper=[60,65]\n";
@@ -135,7 +152,9 @@ std::string power_law() {
 
 std::string text_of(const Named& named) {
   const std::string text = named.text;
-  return text.empty() ? rows_of_disks() : text == "power law" ? power_law() : text;
+  if (text == "rows") return rows_of_disks();
+  if (text == "groups") return groups_of_four();
+  return text == "power law" ? power_law() : text;
 }
 
 Scene scene_of(const Named& named, const char* search, const char* queue, bool vectors = true) {

@@ -4,6 +4,7 @@
 
 #include "carom/core/double_double.hpp"
 #include "carom/core/lanes.hpp"
+#include "carom/core/wide_lanes.hpp"
 #include "carom/law/impact.hpp"
 
 namespace carom {
@@ -103,6 +104,40 @@ template <int D>
   change(pair.push_a, va, -1.0, after_a);
   if (after_b != nullptr) change(pair.push_b, vb, 1.0, after_b);
   return certain;
+}
+
+/// The same for two bodies of one finite mass, all components at a time; lanes from D on are 0.
+template <int D>
+[[nodiscard]] CAROM_INLINE bool elastic_impact(const ElasticPair& pair, const WideLanes& r, const Lanes& va, const Lanes& vb,
+                                               Lanes& after_a, Lanes& after_b, double& excess) {
+  const WideLanes g = two_diff(va, vb), p = two_prod(g.hi, r.hi), q = two_prod(r.hi, r.hi);
+  const Lanes p_low = p.lo + (g.hi * r.lo + g.lo * r.hi), q_low = q.lo + r.lo * (2.0 * r.hi + r.lo);
+  const auto even = [](const Lanes& x, const Lanes& y) { return Lanes(__builtin_shufflevector(x, y, 0, 4, 2, 6)); };
+  const auto odd = [](const Lanes& x, const Lanes& y) { return Lanes(__builtin_shufflevector(x, y, 1, 5, 3, 7)); };
+  const auto behind = [](const Lanes& x) { return Lanes(__builtin_shufflevector(x, x, 2, 3, 0, 1)); };
+  WideLanes sum = two_sum(even(p.hi, q.hi), odd(p.hi, q.hi));  // g.r, r.r
+  sum.lo += even(p_low, q_low) + odd(p_low, q_low);
+  if constexpr (D == 3) {
+    const WideLanes all = two_sum(sum.hi, behind(sum.hi));
+    sum = {all.hi, (sum.lo + behind(sum.lo)) + all.lo};
+  }
+  const Lanes sizes = most(va, -va) + most(vb, -vb);
+  const double doubt = pair.doubt * ((sizes[0] + sizes[1]) + (sizes[2] + sizes[3]));
+  const DoubleDouble gr = sum[0];
+  excess = (sum.hi[1] - pair.square.hi) + (sum.lo[1] - pair.square.lo);
+  const double d = excess * pair.per_square;
+  DoubleDouble f = two_prod(gr.hi, pair.push_a.hi);
+  f.lo += (gr.hi * pair.push_a.lo + gr.lo * pair.push_a.hi) - f.hi * d;
+  const WideLanes push = two_prod(spread(f.hi), r.hi);
+  const Lanes push_low = push.lo + (f.hi * r.lo + f.lo * r.hi);
+  const WideLanes a = two_diff(va, push.hi), b = two_sum(vb, push.hi);
+  const Lanes rest_a = a.lo - push_low, rest_b = b.lo + push_low;
+  after_a = a.hi + rest_a;
+  after_b = b.hi + rest_b;
+  const LaneMask alike = (a.hi + (rest_a - doubt) == a.hi + (rest_a + doubt)) &
+                         (b.hi + (rest_b - doubt) == b.hi + (rest_b + doubt));
+  constexpr int all = (1 << D) - 1;
+  return (gr.hi > doubt * pair.sigma) & (std::fabs(d) < 0x1p-46) & ((sign_bits(alike) & all) == all);
 }
 
 /// The size of the impulse of an elastic impact, if it is certainly that of resolve_impact.

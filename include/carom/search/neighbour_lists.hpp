@@ -13,16 +13,14 @@ namespace carom {
 
 /// What is due next for a ball, and who is near it. Two cache lines.
 struct alignas(64) Slot {
-  Time<double> first;           ///< its first meeting, or a bound below it
-  std::uint32_t partner;        ///< row of a ball, or a face: see Slot::wall
-  std::uint32_t partner_stamp;  ///< when predicted
-  Time<double> second;          ///< its second meeting, or a bound below it
+  Time<double> first;            ///< its first meeting, or a bound below it
+  Time<double> second;           ///< its second meeting, or a bound below it
+  std::uint32_t partner;         ///< row of a ball, or a face: see Slot::wall
   std::uint32_t second_partner;
-  std::uint32_t second_stamp;
   std::int64_t exit;    ///< epoch at whose beginning it is still within its shell
   std::uint32_t count;  ///< neighbours
   std::uint32_t more;   ///< of those that have no room here: the newest block, or Slot::lengthy + the number of an array
-  std::uint32_t near[16];
+  alignas(64) std::uint32_t near[16];
 
   static constexpr std::uint32_t wall = 0xffff0000U;     ///< + row of the face
   static constexpr std::uint32_t unknown = 0xfffefffeU;  ///< second_partner: there may be one after `first`

@@ -90,8 +90,10 @@ class SwarmAgenda {
     run.agenda.resize(n);
     if (n <= few) {
       sort_by_rank(run, n);
+    } else if (n <= 128) {
+      sort_by_bins<64>(run, n);
     } else {
-      sort_by_bins(run, n);
+      sort_by_bins<256>(run, n);
     }
     if (run.far_sighted)
       for (std::size_t k = 0; k < 20 && k < n; ++k) fetch_parties(run, run.agenda[k]);
@@ -148,8 +150,8 @@ class SwarmAgenda {
   }
 
   /// The same for any n: by shares into bins, and then those that are close.
+  template <std::uint32_t bins>
   CAROM_INLINE static void sort_by_bins(Run& run, std::size_t n) {
-    constexpr std::uint32_t bins = 256;
     std::uint32_t begin[bins + 1] = {};
     PageArray<std::uint8_t>& bin = run.bins;
     bin.resize(n);
@@ -187,12 +189,15 @@ class SwarmAgenda {
 
   CAROM_INLINE static void fetch_near(const Run& run, std::uint32_t i) {
     const Slot& slot = run.shells.slots[i];
-    const std::uint32_t n = slot.count < Slot::here ? slot.count : Slot::here;
-    for (std::uint32_t k = 0; k < n; ++k) {
-      __builtin_prefetch(&run.swarm.flights[slot.near[k]]);
-      if (run.stamps_far) __builtin_prefetch(&run.swarm.stamp[slot.near[k]]);
-      if constexpr (!equal) __builtin_prefetch(&run.swarm.radius[slot.near[k]]);
-    }
+    // A branch for each number of neighbours would cost more than a few rows that are not in the list.
+    const auto fetch = [&run, &slot](std::uint32_t from, std::uint32_t end) __attribute__((always_inline)) {
+      for (std::uint32_t k = from; k < end; ++k) {
+        __builtin_prefetch(&run.swarm.flights[slot.near[k]]);
+        if constexpr (!equal) __builtin_prefetch(&run.swarm.radius[slot.near[k]]);
+      }
+    };
+    fetch(0, 12);
+    if (slot.count > 12) fetch(12, Slot::here);
   }
 };
 

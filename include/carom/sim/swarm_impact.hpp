@@ -1,9 +1,15 @@
 #pragma once
 // The elastic impact of two balls of a swarm: that of law/impact.hpp for e = 1 and finite masses, with the same bits.
 //
-// All components at a time; what adding zero and scaling by powers of two would compute is left out.
+// All components at a time. Between balls that are all alike the short way of law/elastic.hpp is certain, or else the whole
+// evaluation follows, without what adding zero and scaling by powers of two would compute.
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
 
 #include "carom/core/wide_lanes.hpp"
+#include "carom/law/elastic.hpp"
 #include "carom/sim/swarm_run.hpp"
 
 namespace carom {
@@ -31,23 +37,11 @@ class SwarmImpact {
         r = {moved ? there.hi : r.hi, moved ? there.lo : r.lo};
       }
     }
-    const WideLanes dots = sums_in_order<D>(two_diff(va, vb) * r, r * r);  // g.r, r.r
-    const DoubleDouble gr = dots[0], rr = dots[1];
-    note_gap(run, rr, run.swarm.template radius_of<equal>(i) + run.swarm.template radius_of<equal>(j));
-    Lanes ua = va, ub = vb;
-    if (narrow(gr) > 0) {
-      const double ma = run.swarm.template kind<equal>(i).mass, mb = run.swarm.template kind<equal>(j).mass;
-      if (equal || ma == mb) {  // 2 gr / rr, and half of it for each
-        const WideLanes change = spread(gr / rr) * r;
-        ua = rounded_sum(va, -change);
-        ub = rounded_sum(vb, change);
-      } else {
-        using W = DoubleDouble;
-        const WideLanes change = spread(W(2 * gr.hi, 2 * gr.lo) / rr) * r;
-        ua = rounded_sum(va, -(spread(W(mb) / (W(ma) + W(mb))) * change));
-        ub = rounded_sum(vb, spread(W(ma) / (W(mb) + W(ma))) * change);
-      }
-    }
+    Lanes ua, ub;
+    double excess;
+    const bool certain = equal && elastic_impact<D>(run.pair, r, va, vb, ua, ub, excess) && is_known(run, excess);
+    if (!certain) [[unlikely]]
+      resolve(run, i, j, r, va, vb, ua, ub);
     int turns[D] = {};
     write(run, i, xa, ua, t, turns, -1);
     write(run, j, xb, ub, t, turns, 1);
@@ -68,6 +62,29 @@ class SwarmImpact {
   }
 
  private:
+  /// As resolve_impact in law/impact.hpp.
+  [[gnu::noinline, gnu::flatten]] static void resolve(Run& run, std::uint32_t i, std::uint32_t j, const WideLanes& r, const Lanes& va,
+                                                      const Lanes& vb, Lanes& ua, Lanes& ub) {
+    const WideLanes dots = sums_in_order<D>(two_diff(va, vb) * r, r * r);  // g.r, r.r
+    const DoubleDouble gr = dots[0], rr = dots[1];
+    note_gap(run, rr, run.swarm.template radius_of<equal>(i) + run.swarm.template radius_of<equal>(j));
+    ua = va;
+    ub = vb;
+    if (narrow(gr) > 0) {
+      const double ma = run.swarm.template kind<equal>(i).mass, mb = run.swarm.template kind<equal>(j).mass;
+      if (equal || ma == mb) {  // 2 gr / rr, and half of it for each
+        const WideLanes change = spread(gr / rr) * r;
+        ua = rounded_sum(va, -change);
+        ub = rounded_sum(vb, change);
+      } else {
+        using W = DoubleDouble;
+        const WideLanes change = spread(W(2 * gr.hi, 2 * gr.lo) / rr) * r;
+        ua = rounded_sum(va, -(spread(W(mb) / (W(ma) + W(mb))) * change));
+        ub = rounded_sum(vb, spread(W(ma) / (W(mb) + W(ma))) * change);
+      }
+    }
+  }
+
   CAROM_INLINE static void remember(Past& past, std::uint32_t partner, std::uint32_t partner_stamp, std::uint8_t image) {
     past.flags = Past::hit | Past::in_contact;
     past.contact_image = image;
@@ -80,12 +97,16 @@ class SwarmImpact {
   CAROM_INLINE static void write(Run& run, std::uint32_t i, const Lanes& x, const Lanes& v, const Time<double>& t, int (&turns)[D],
                                  int side) {
     Flight<D>& ball = run.swarm.flights[i];
-    for (int k = 0; k < D; ++k) {
-      ball.x[k] = x[k];
-      ball.v[k] = v[k];
+    // In two stores, of what the next predictions read at once: a load that must wait for several stores waits long.
+    const Lanes time = {std::bit_cast<double>(t.epoch), t.offset, 0.0, 0.0};
+    StoredLanes* const line = reinterpret_cast<StoredLanes*>(&ball);
+    if constexpr (D == 3) {
+      line[0] = __builtin_shufflevector(x, v, 0, 1, 2, 4);
+      line[1] = __builtin_shufflevector(v, time, 1, 2, 4, 5);
+    } else {
+      line[0] = __builtin_shufflevector(x, v, 0, 1, 4, 5);
+      line[1] = time;
     }
-    ball.epoch = t.epoch;
-    ball.offset = t.offset;
     ++run.swarm.stamp[i];
     if constexpr (periodic) {
       const Lanes share = (x - load_vector<D>(run.swarm.lower)) * load_vector<D>(run.swarm.per_edge);
@@ -99,6 +120,14 @@ class SwarmImpact {
           turns[k] += side * n;
         }
     }
+  }
+
+  /// r.r - sigma^2 means no larger gap than has been noted: it is 2 sigma times the gap, and 1.96 is below what rounding leaves
+  /// of the 2.
+  CAROM_INLINE static bool is_known(const Run& run, double excess) {
+    const double sigma = run.pair.sigma;
+    return std::fabs(excess) <
+           1.96 * sigma * std::min(run.exactness.max_gap_error, run.exactness.max_gap_error_relative * sigma);
   }
 
   /// The gap that was left, |r| - sigma, if it is the largest so far: (r.r - sigma^2) / (|r| + sigma), where |r| + sigma is

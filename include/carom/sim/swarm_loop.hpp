@@ -3,8 +3,9 @@
 //
 // One live event a ball [Lubachevsky1991], neighbour lists (search/shells.hpp), a calendar (queue/calendar.hpp). A ball
 // keeps its first meeting and its second: if the partner of the first is hit by another, the second is a bound below all
-// that are left, so it is queued in its place, and the list is gone through anew only if that one surfaces and is stale too
-// (whoever was hit has itself looked at this ball). The events are those of EventDriven, bit for bit; what is out of the
+// that are left, so it is queued in its place, and the list is gone through anew only if that one surfaces and is stale too.
+// When two balls meet is known to the one that was hit later, and to both if that was at one moment: a meeting is stale if its
+// partner's stored time has become later than the ball's own. The events are those of EventDriven, bit for bit; what is out of the
 // ordinary, a second event of a ball at one moment above all, is left to it.
 
 #include <atomic>
@@ -82,7 +83,7 @@ class SwarmLoop {
       }
       const std::uint32_t j = slot.partner;
       const bool wall = j >= Slot::wall;
-      if (!wall && run.swarm.stamp[j] != slot.partner_stamp) {
+      if (!wall && Predictions::hit_later(run, j, i)) {
         ++run.head;
         ++run.exactness.repredicted;
         fall_back(run, i);
@@ -97,6 +98,7 @@ class SwarmLoop {
       }
       ++run.head;
       run.exactness.clamped += t < run.now;
+      const bool again = !(t > run.now);
       run.now = t;
       run.quiet = 0;
       Agenda::enqueue_waiting(run, waiting);
@@ -107,6 +109,10 @@ class SwarmLoop {
       } else {
         Predictions::look_around(run, i, j);
         Agenda::enqueue_later(run, i, j, waiting);
+      }
+      if (again) [[unlikely]] {
+        look_from_beside(run, i);
+        if (!wall) look_from_beside(run, j);
       }
       if (run.verdict != Halt::until) return std::exchange(run.verdict, Halt::until);
     }
@@ -121,10 +127,31 @@ class SwarmLoop {
     } else {
       slot.first = slot.second;
       slot.partner = slot.second_partner;
-      slot.partner_stamp = slot.second_stamp;
       slot.second_partner = Slot::unknown;
     }
     Agenda::enqueue(run, i);
+  }
+
+  /// Balls i and j have become neighbours: when they meet is known to the one that was hit later.
+  CAROM_INLINE static void meet_anew(Run& run, std::uint32_t i, std::uint32_t j) {
+    const Time<double> t = Predictions::meeting(run, i, j);
+    if (!Predictions::hit_later(run, j, i)) return Predictions::offer(run, i, j, t);
+    Slot& slot = run.shells.slots[j];
+    const Time<double> due = slot.due();
+    Predictions::offer(run, j, i, t);
+    if (slot.due() != due) Agenda::enqueue(run, j);
+  }
+
+  /// Ball i was hit at the moment of the collision before. Those around it that were hit at that moment too have looked at it as
+  /// it was, and their times do not tell: they look anew.
+  [[gnu::noinline, gnu::flatten]] static void look_from_beside(Run& run, std::uint32_t i) {
+    run.shells.for_each_piece(i, [&run, i](const std::uint32_t* near, std::uint32_t count) {
+      for (std::uint32_t k = 0; k < count; ++k)
+        if (run.swarm.flights[near[k]].time() == run.swarm.flights[i].time()) {
+          Predictions::look_again(run, near[k]);
+          Agenda::enqueue(run, near[k]);
+        }
+    });
   }
 
   /// Ball i has come to the edge of its shell: it gets another, and its list is mended.
@@ -137,7 +164,7 @@ class SwarmLoop {
     const std::uint32_t n = shells.template gather<periodic, equal>(i);
     std::uint32_t* const found = shells.found();
     shells.update(
-        i, n, [&](std::uint32_t k) { Predictions::offer(run, i, found[k], Predictions::meeting(run, i, found[k])); }, [&] { Exits::set_exits(run, i, i); });
+        i, n, [&](std::uint32_t k) { meet_anew(run, i, found[k]); }, [&] { Exits::set_exits(run, i, i); });
     if (!near_walls) Predictions::offer_walls(run, i);
     Agenda::enqueue(run, i);
   }

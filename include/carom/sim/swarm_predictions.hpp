@@ -72,10 +72,8 @@ class SwarmPredictions {
     const Time<double> since = run.swarm.flights[i].time();
     slot.first = after(since, found.flight[0]);
     slot.partner = found.partner[0];
-    slot.partner_stamp = stamp_of(run, slot.partner);
     slot.second = after(since, found.flight[1]);
     slot.second_partner = found.partner[1];
-    slot.second_stamp = stamp_of(run, slot.second_partner);
   }
 
   /// The same whatever the stored times, pair by pair and in the total order of events.
@@ -84,7 +82,8 @@ class SwarmPredictions {
     slot.first = slot.second = Time<double>::never();
     slot.partner = slot.second_partner = nobody;
     run.shells.for_each_piece(i, [&](const std::uint32_t* near, std::uint32_t count) {
-      for (std::uint32_t k = 0; k < count; ++k) offer(run, i, near[k], meeting(run, i, near[k]));
+      for (std::uint32_t k = 0; k < count; ++k)
+        if (!hit_later(run, near[k], i)) offer(run, i, near[k], meeting(run, i, near[k]));
     });
     if constexpr (!periodic)
       for (std::size_t f = 0; f < run.swarm.rest.walls.faces.size(); ++f)
@@ -102,6 +101,12 @@ class SwarmPredictions {
   }
   CAROM_INLINE static bool near_walls(const Run& run, std::uint32_t i) {
     return !periodic && run.near_walls.size() != 0 && run.near_walls[i] != 0;
+  }
+
+  /// Ball j has been hit after ball i: what they are to each other is known to j.
+  CAROM_INLINE static bool hit_later(const Run& run, std::uint32_t j, std::uint32_t i) {
+    const Flight<D>&a = run.swarm.flights[i], &b = run.swarm.flights[j];
+    return (b.epoch > a.epoch) | ((b.epoch == a.epoch) & (b.offset > a.offset));
   }
 
   /// When balls i and j, which are neighbours now, meet.
@@ -146,14 +151,11 @@ class SwarmPredictions {
     if (before(slot.first, slot.partner)) {
       slot.second = slot.first;
       slot.second_partner = slot.partner;
-      slot.second_stamp = slot.partner_stamp;
       slot.first = t;
       slot.partner = partner;
-      slot.partner_stamp = stamp_of(run, partner);
     } else if (slot.second_partner != Slot::unknown && before(slot.second, slot.second_partner)) {
       slot.second = t;
       slot.second_partner = partner;
-      slot.second_stamp = stamp_of(run, partner);
     }
   }
 
@@ -254,10 +256,8 @@ class SwarmPredictions {
     Slot& slot = run.shells.slots[i];
     slot.first = {epoch[0], offset[0]};
     slot.partner = static_cast<std::uint32_t>(few.row[0]);
-    slot.partner_stamp = run.swarm.stamp[slot.partner == nobody ? i : slot.partner];
     slot.second = {epoch[1], offset[1]};
     slot.second_partner = static_cast<std::uint32_t>(few.row[1]);
-    slot.second_stamp = run.swarm.stamp[slot.second_partner == nobody ? i : slot.second_partner];
   }
 
   /// Bit k is set where near[k] is `row`.
@@ -291,10 +291,6 @@ class SwarmPredictions {
     const double x = ball.x[face.axis];
     const double gap = (face.sign > 0 ? x - face.coordinate : face.coordinate - x) - run.swarm.template radius_of<equal>(i);
     return gap > 0 ? gap / -rate : 0.0;
-  }
-
-  CAROM_INLINE static std::uint32_t stamp_of(const Run& run, std::uint32_t partner) {
-    return partner < run.swarm.size() ? run.swarm.stamp[partner] : 0;
   }
 };
 

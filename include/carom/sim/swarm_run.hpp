@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "carom/core/pages.hpp"
+#include "carom/law/elastic.hpp"
 #include "carom/queue/calendar.hpp"
 #include "carom/search/shells.hpp"
 #include "carom/sim/books.hpp"
@@ -68,7 +69,6 @@ struct SwarmRun {
   std::int64_t tuned_due = 0, tuned_buckets = 0, tuned_collisions = 0;  ///< counts at the last judgement
   Time<double> tuned_at;
   bool far_sighted = false;    ///< fetches the records of coming events ahead: more than the cache holds
-  bool stamps_far = false;     ///< the same for the stamps of all neighbours, which lie beyond a core's own cache
   bool plain = true;           ///< every impact is elastic, no mass infinite: the loop resolves it itself
   std::int64_t quiet = 0;      ///< shells left since the last collision
   Halt verdict = Halt::until;  ///< of the last collision, if it was its last
@@ -86,6 +86,7 @@ struct SwarmRun {
   PageArray<std::uint8_t> near_walls;  ///< by row: its shell reaches a piece that is no face; empty where there is none
 
   double reach = 0;  ///< [length unit] centres of neighbours are closer, whatever the ball
+  ElasticPair pair;  ///< any two balls, where all are alike
 };
 
 /// The loop, compiled for one instruction set and one kind of swarm.
