@@ -150,6 +150,11 @@ class NeighbourLists {
         add(found_[k], i);
         fresh(k);
       }
+      if (n <= Slot::here) {
+        for (std::uint32_t k = 0; k < Slot::here; ++k) slots[i].near[k] = found_[k];
+        slots[i].count = n;
+        return;
+      }
     } else if (n <= most_in_blocks && slots[i].count <= most_in_blocks) {
       meanwhile();
       const auto is_found = [this, n](std::uint32_t j) {

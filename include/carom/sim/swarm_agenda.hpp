@@ -189,15 +189,11 @@ class SwarmAgenda {
 
   CAROM_INLINE static void fetch_near(const Run& run, std::uint32_t i) {
     const Slot& slot = run.shells.slots[i];
-    // A branch for each number of neighbours would cost more than a few rows that are not in the list.
-    const auto fetch = [&run, &slot](std::uint32_t from, std::uint32_t end) __attribute__((always_inline)) {
-      for (std::uint32_t k = from; k < end; ++k) {
-        __builtin_prefetch(&run.swarm.flights[slot.near[k]]);
-        if constexpr (!equal) __builtin_prefetch(&run.swarm.radius[slot.near[k]]);
-      }
-    };
-    fetch(0, 12);
-    if (slot.count > 12) fetch(12, Slot::here);
+    // All that there is room for: a branch for the number of neighbours would cost more than rows that are not in the list.
+    for (std::uint32_t k = 0; k < Slot::here; ++k) {
+      __builtin_prefetch(&run.swarm.flights[slot.near[k]]);
+      if constexpr (!equal) __builtin_prefetch(&run.swarm.radius[slot.near[k]]);
+    }
   }
 };
 
