@@ -57,7 +57,7 @@ class FewLoop {
       run.passages = 0;
       if (t.epoch - run.base > most_epochs) detail::rebase(run);
       Flights::look(run, i, j);
-      if (i != j) Flights::look(run, j, i);
+      if (i != j && (run.other_count[j] > 1 || !run.world->balls[j].fixed)) Flights::look(run, j, i);
     }
   }
 
