@@ -76,7 +76,7 @@ template <int D>
 /// r = high + low is the way from a's centre to b's, |low| <= 2^-50 of what it is a difference of. `excess` is r.r - sigma^2.
 ///
 /// r.r differs from sigma^2 by rounding only, so 1 / r.r = (1 - d) / sigma^2 with d = excess / sigma^2, and nothing is divided
-/// [papers/impact.md, eq. 10]. High and low parts are not normalised on the way; the sum is rounded once, and taken if all that
+/// [papers/impact.md, eq. 12]. High and low parts are not normalised on the way; the sum is rounded once, and taken if all that
 /// lies within the errors of this evaluation and of the other is rounded to the same double [Ziv1991].
 template <int D>
 [[nodiscard]] CAROM_INLINE bool elastic_impact(const ElasticPair& pair, const double* high, const double* low, const double* va,

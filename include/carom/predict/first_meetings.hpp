@@ -179,11 +179,11 @@ CAROM_INLINE FirstFew meet_four(const PairTermsOfList<equal>& terms, std::uint64
   const Lanes b = chosen(terms.b), rr = chosen(terms.rr), a = chosen(terms.a), cross = chosen(terms.cross);
   const Lanes sum = equal ? spread(sigma) : chosen(terms.sigma);
   const Lanes ss = sum * sum, c = rr - ss, d = a * ss - cross, scale = a * rr;
-  // As meet_time. Where d is in doubt, more is put in its place than rounding can have taken from it; below so small a share
+  // As meet_plainly. Where d is in doubt, more is put in its place than rounding can have taken from it; below so small a share
   // of the scale root * q never passes.
   const Lanes least_d = 0x1p-13 * scale + detail::no_underflow;
   const Lanes root = sqrt(d > least_d ? d : least_d), q = root - b, t = c / q;
-  const LaneMask sure = (c > detail::near_meeting * ss) & (root * q > detail::near_double_root * scale + detail::no_underflow);
+  const LaneMask sure = (c > detail::near_meeting * ss) & detail::far_from_grazing(root, q, scale);
   const LaneMask coming = (b < 0.0) & there, parting = (b >= 0.0) & (rr > detail::apart * ss);
   const Lanes bound = coming & (c > 0x1p-40 * ss) ? 0.99 * t : Lanes{};  // c is off by 2^-11 of itself at most there
   const LaneMask none = parting | ~there, exact = sure & coming;

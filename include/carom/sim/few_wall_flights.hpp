@@ -113,15 +113,8 @@ class FewWallFlights : FewMeetings<D, Target> {
     const double sigma = sphere.radius + ball.radius, ss = sigma * sigma, c = rr - ss;
     if (b >= 0.0 && rr > carom::detail::apart * ss) return never<double>();
     const double a = dot<double, D>(v, v), d = a * ss - cross_squared<double, D>(r, v);
-    if (c > carom::detail::near_meeting * ss) {
-      const double scale = a * rr;
-      if (-d > carom::detail::no_root * scale + carom::detail::no_underflow) return never<double>();
-      if (d > 0.0) {
-        const double root = __builtin_sqrt(d), q = root - b;
-        if (root * q > carom::detail::near_double_root * scale + carom::detail::no_underflow) return c / q;
-      }
-    }
-    return detail::flight_to_sphere(run, i, n);
+    double t;
+    return carom::detail::meet_plainly(b, c, ss, d, a * rr, t) ? t : detail::flight_to_sphere(run, i, n);
   }
 };
 

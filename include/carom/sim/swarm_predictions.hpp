@@ -129,16 +129,9 @@ class SwarmPredictions {
       const double x = r[1] * g[2] - r[2] * g[1], y = r[2] * g[0] - r[0] * g[2], z = r[0] * g[1] - r[1] * g[0];
       cross = x * x + y * y + z * z;
     }
-    const double c = rr - ss, d = a * ss - cross;
-    if (c > detail::near_meeting * ss) {  // as meet_time in solve/quadratic.hpp
-      const double scale = a * rr;
-      if (-d > detail::no_root * scale + detail::no_underflow) return Time<double>::never();
-      if (d > 0.0) {
-        const double root = __builtin_sqrt(d), q = root - b;
-        if (root * q > detail::near_double_root * scale + detail::no_underflow) return after(since, c / q);
-      }
-    }
-    return after(since, detail::careful_flight(run, i, j, image, r, g, sigma));
+    double t;
+    if (!detail::meet_plainly(b, rr - ss, ss, a * ss - cross, a * rr, t)) t = detail::careful_flight(run, i, j, image, r, g, sigma);
+    return after(since, t);
   }
 
   /// A meeting of ball i with `partner` at t takes its place among those known.

@@ -38,6 +38,26 @@ inline constexpr double no_underflow = 0x1p-960;
 // With c > (apart - 1) sigma^2 and a computed b >= 0, exactly nothing is approaching that could meet [eq. 8].
 inline constexpr double apart = 1 + 0x1p-48;
 
+/// The meeting at c / q, q = sqrt(d) - b, is known well enough from plain d [eq. 10]. `scale` = a r.r; a real or one in each lane.
+template <class Real>
+[[nodiscard, gnu::always_inline]] inline auto far_from_grazing(const Real& root, const Real& q, const Real& scale) {
+  return root * q > near_double_root * scale + no_underflow;
+}
+
+/// When two meet that are apart or coming nearer, if plain arithmetic settles that. `scale` = a r.r.
+[[nodiscard, gnu::always_inline]] inline bool meet_plainly(double b, double c, double ss, double d, double scale, double& t) {
+  if (!(c > near_meeting * ss)) return false;
+  if (-d > no_root * scale + no_underflow) {
+    t = never<double>();
+    return true;
+  }
+  if (!(d > 0.0)) return false;
+  const double root = __builtin_sqrt(d), q = root - b;
+  if (!far_from_grazing(root, q, scale)) return false;
+  t = c / q;
+  return true;
+}
+
 /// The terms of `pair_terms` need no scaling if the largest components of r and v lie within 2^-100 .. 2^100.
 template <int D>
 [[nodiscard]] inline bool moderate(const Vec<double, D>& r, const Vec<double, D>& v, double sigma) {
@@ -59,7 +79,7 @@ template <int D>
   const DoubleDouble ss = two_prod(sigma, sigma), xx = wide_dot<double, D>(r, r), c = xx - ss;
   if (plain_d > 0.0 && c.hi > 0x1p-42 * plain_ss && c.hi < plain_ss) {
     const double root = std::sqrt(plain_d), q = root - dot<double, D>(r, v);
-    if (root * q > near_double_root * (plain_a * dot<double, D>(r, r)) + no_underflow) {
+    if (far_from_grazing(root, q, plain_a * dot<double, D>(r, r))) {
       t = c.hi / q;
       return true;
     }
@@ -112,15 +132,8 @@ template <Real T, int D>
     const double c = rr - ss;
     const double a = dot<T, D>(v, v);
     const double d = a * ss - cross_squared<T, D>(r, v);
-    if (c > detail::near_meeting * ss) {
-      const double scale = a * rr;
-      if (-d > detail::no_root * scale + detail::no_underflow) return never<T>();
-      if (d > 0.0) {
-        const double root = sqrt(d), q = root - b;
-        if (root * q > detail::near_double_root * scale + detail::no_underflow) return c / q;
-      }
-    }
-    return detail::meet_time_close<D>(r, v, sigma);
+    double t;
+    return detail::meet_plainly(b, c, ss, d, a * rr, t) ? t : detail::meet_time_close<D>(r, v, sigma);
   } else {
     if (!(b < 0)) return never<T>();
     const T c = rr - ss;
