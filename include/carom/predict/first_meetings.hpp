@@ -183,7 +183,7 @@ CAROM_INLINE FirstFew meet_four(const PairTermsOfList<equal>& terms, std::uint64
   // of the scale root * q never passes.
   const Lanes least_d = 0x1p-13 * scale + detail::no_underflow;
   const Lanes root = sqrt(d > least_d ? d : least_d), q = root - b, t = c / q;
-  const LaneMask sure = (c > detail::near_meeting * ss) & detail::far_from_grazing(root, q, scale);
+  const LaneMask sure = (c > detail::near_meeting * ss) & LaneMask(detail::far_from_grazing(root, q, scale));
   const LaneMask coming = (b < 0.0) & there, parting = (b >= 0.0) & (rr > detail::apart * ss);
   const Lanes bound = coming & (c > 0x1p-40 * ss) ? 0.99 * t : Lanes{};  // c is off by 2^-11 of itself at most there
   const LaneMask none = parting | ~there, exact = sure & coming;

@@ -46,7 +46,7 @@ class FewMeetings {
     const LaneMask parting = (b >= 0.0) & (rr > carom::detail::apart * ss);
     const LaneMask far = c > carom::detail::near_meeting * ss;
     const LaneMask passing = far & (-d > carom::detail::no_root * scale + carom::detail::no_underflow);
-    const LaneMask meeting = far & carom::detail::far_from_grazing(root, q, scale) & ~parting;
+    const LaneMask meeting = far & LaneMask(carom::detail::far_from_grazing(root, q, scale)) & ~parting;
     open = sign_bits(~(parting | passing | meeting));
     return meeting ? t : spread(never<double>());
   }
