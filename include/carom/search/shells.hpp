@@ -164,17 +164,23 @@ class Shells : public NeighbourLists {
     if constexpr (!equal) return sized_.fetch_home(i);
     __builtin_prefetch(&home_[i]);
   }
-  /// Asks for the lines that `gather` will read, ahead of it.
+  /// Asks for the lines that `gather` will read, ahead of it, when ball i has got a shell about `centre`.
   template <bool equal>
-  CAROM_INLINE void fetch_cells(std::uint32_t i) const {
+  CAROM_INLINE void fetch_cells(std::uint32_t i, const double (&centre)[D]) const {
     if constexpr (!equal) return sized_.fetch_cells(i);
-    const std::uint32_t x = home_[i].fine[0] >> 10;
+    std::uint32_t at[D];
+    for (int k = 0; k < D; ++k) {
+      const double share = (centre[k] - lower_[k]) * per_cell_[k], n = static_cast<double>(cells_along_[k]);
+      const double within = share < 0 ? share + n : share < n ? share : share - n;
+      at[k] = within >= 0 && within < n ? static_cast<std::uint32_t>(static_cast<std::int32_t>(within)) : 0;
+    }
+    const std::uint32_t x = at[0];
     for (int dz = D == 3 ? -1 : 0; dz <= (D == 3 ? 1 : 0); ++dz) {
       std::uint32_t z = 0;
-      if (D == 3 && !neighbour(home_[i].fine[D - 1] >> 10, dz, D - 1, z)) continue;
+      if (D == 3 && !neighbour(at[D - 1], dz, D - 1, z)) continue;
       for (int dy = -1; dy <= 1; ++dy) {
         std::uint32_t y;
-        if (!neighbour(home_[i].fine[1] >> 10, dy, 1, y)) continue;
+        if (!neighbour(at[1], dy, 1, y)) continue;
         const Cell* const row = &cells_[(D == 3 ? z * cells_along_[1] + y : y) * cells_along_[0]];
         __builtin_prefetch(row + (x > 0 ? x - 1 : cells_along_[0] - 1));
         __builtin_prefetch(row + x);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "carom/sim/swarm_exits.hpp"
 #include "carom/sim/swarm_run.hpp"
 
 namespace carom {
@@ -12,6 +13,7 @@ template <int D, class Target, bool periodic, bool equal>
 class SwarmAgenda {
  public:
   using Run = SwarmRun<D>;
+  using Exits = SwarmExits<D, Target, periodic, equal>;
 
   /// Ball i is entered where it is due.
   [[gnu::noinline, gnu::flatten]] static void enqueue(Run& run, std::uint32_t i) {
@@ -107,7 +109,11 @@ class SwarmAgenda {
     if (run.head + 12 < n) {
       const std::uint32_t i = run.agenda[run.head + 12].ball;
       fetch_near(run, i);
-      if (run.shells.slots[i].exit_first()) run.shells.template fetch_cells<equal>(i);
+      if (run.shells.slots[i].exit_first()) {
+        double x[D];
+        Exits::find_centre(run, i, run.agenda[run.head + 12].time, x);
+        run.shells.template fetch_cells<equal>(i, x);
+      }
     }
     if (run.head + 6 < n) {
       const std::uint32_t j = run.agenda[run.head + 6].partner;

@@ -14,16 +14,22 @@ class SwarmExits {
  public:
   using Run = SwarmRun<D>;
 
-  /// A shell for ball i, set ahead of it on its way: by 1.2 mean free times, at most by 3/4 of its radius.
-  [[gnu::noinline, gnu::flatten]] static void place(Run& run, std::uint32_t i) {
+  /// The centre of a shell for ball i at t, set ahead of it on its way: by 1.2 mean free times, at most by 3/4 of its radius.
+  CAROM_INLINE static void find_centre(const Run& run, std::uint32_t i, const Time<double>& t, double (&x)[D]) {
     const Flight<D>& ball = run.swarm.flights[i];
-    const double flown = elapsed(ball.time(), run.clock);
-    double square = 0, x[D];
+    const double flown = elapsed(ball.time(), t);
+    double square = 0;
     for (int k = 0; k < D; ++k) square += ball.v[k] * ball.v[k];
     double ahead = 1.2 * run.mean_free_time;
     const double most = 0.75 * run.shells.template radius<equal>(run.swarm, i);
     if (ahead * ahead * square > most * most) ahead = most / __builtin_sqrt(square);
     for (int k = 0; k < D; ++k) x[k] = ball.x[k] + ball.v[k] * flown + ball.v[k] * ahead;
+  }
+
+  /// A shell for ball i.
+  [[gnu::noinline, gnu::flatten]] static void place(Run& run, std::uint32_t i) {
+    double x[D];
+    find_centre(run, i, run.clock, x);
     run.shells.template place<equal>(run.swarm, i, x);
     if constexpr (!periodic)
       if (run.near_walls.size() != 0)
