@@ -81,10 +81,12 @@ const Named scenes[] = {
      "dimension=2\n[collision]\nrestitution=0.9\n[space]\nkind='periodic'\nlower=[0,0]\nupper=[30,30]\n[[gas]]\ncount=300\n"
      "packing_fraction=0.3\n"},
     {"viscoelastic", 6400,
-     "dimension=3\n[collision]\nrestitution=0.8\nregularise='viscoelastic'\nreference_speed=1\n[[gas]]\ncount=300\npacking_fraction=0.2\n"
+     "dimension=3\n[collision]\nrestitution=0.8\nregularise='viscoelastic'\nreference_speed=1\n[[gas]]\ncount=300\npacking_"
+     "fraction=0.2\n"
      "radius=0.5\n"},
     {"contact_time", 6400,
-     "dimension=2\n[collision]\nrestitution=0.7\ncontact_time=1e-4\n[space]\nkind='box'\nlower=[0,0]\nupper=[20,20]\n[[gas]]\n"
+     "dimension=2\n[collision]\nrestitution=0.7\ncontact_time=1e-4\n[space]\nkind='box'\nlower=[0,0]\nupper=[20,20]\n[[gas]"
+     "]\n"
      "count=250\npacking_fraction=0.4\n"},
     {"obstacles", 6400,
      "dimension=2\n[space]\nkind='periodic'\nlower=[0,0]\nupper=[30,30]\n[[ball]]\nposition=[7,7]\nradius=1.5\nfixed=true\n"
@@ -92,9 +94,11 @@ const Named scenes[] = {
     {"one_fast_ball", 6400,
      "dimension=2\n[space]\nkind='periodic'\nlower=[0,0]\nupper=[30,30]\n[[ball]]\nposition=[7,7]\nradius=0.3\nmass=1e-9\n"
      "velocity=[1e4,2e3]\n[[gas]]\ncount=250\nradius=0.5\n"},
-    {"narrow", 12800, "dimension=2\n[space]\nkind='periodic'\nlower=[0,0]\nupper=[3.06,49]\n[[gas]]\ncount=400\nradius=0.01\n"},
+    {"narrow", 12800,
+     "dimension=2\n[space]\nkind='periodic'\nlower=[0,0]\nupper=[3.06,49]\n[[gas]]\ncount=400\nradius=0.01\n"},
     {"narrow_mixture", 12800,
-     "dimension=2\n[space]\nkind='periodic'\nlower=[0,0]\nupper=[2.2,68]\n[[gas]]\ncount=390\nradius=0.01\n[[gas]]\ncount=10\n"
+     "dimension=2\n[space]\nkind='periodic'\nlower=[0,0]\nupper=[2.2,68]\n[[gas]]\ncount=390\nradius=0.01\n[[gas]]\ncount="
+     "10\n"
      "radius=0.05\n"},
     {"narrow_in_space", 6400,
      "dimension=3\n[space]\nkind='periodic'\nlower=[0,0,0]\nupper=[3,3.1,30]\n[[gas]]\ncount=300\nradius=0.02\n"},
@@ -102,11 +106,13 @@ const Named scenes[] = {
     {"neighbours_hit_at_one_moment", 4000, "groups"},
     {"walls_in_a_box", 6400,
      "dimension=2\n[space]\nkind='box'\nlower=[0,0]\nupper=[24,20]\n[[wall]]\nkind='segment'\nfrom=[10,3]\nto=[14,17]\n"
-     "[[wall]]\nkind='circle'\ncentre=[5,5]\nradius=2\nside='outside'\n[[wall]]\nkind='plane'\npoint=[20,0]\nnormal=[-1,1]\n"
+     "[[wall]]\nkind='circle'\ncentre=[5,5]\nradius=2\nside='outside'\n[[wall]]\nkind='plane'\npoint=[20,0]\nnormal=[-1,1]"
+     "\n"
      "[[gas]]\ncount=300\nradius=0.3\n"},
     {"stadium", 6400, "dimension=2\n[[table]]\nkind='stadium'\nradius=6\nlength=10\n[[gas]]\ncount=200\nradius=0.3\n"},
     {"granular_in_a_hexagon", 6400,
-     "dimension=2\n[collision]\nrestitution=0.9\n[[table]]\nkind='polygon'\nsides=6\nside=12\n[[gas]]\ncount=250\nradius=0.3\n"},
+     "dimension=2\n[collision]\nrestitution=0.9\n[[table]]\nkind='polygon'\nsides=6\nside=12\n[[gas]]\ncount=250\nradius=0."
+     "3\n"},
     {"walls_in_space", 6400,
      "dimension=3\n[space]\nkind='box'\nlower=[0,0,0]\nupper=[10,11,12]\n[[wall]]\nkind='plane'\npoint=[0,0,3]\n"
      "normal=[0,1,2]\n[[wall]]\nkind='circle'\ncentre=[5,6,7]\nradius=1.5\nside='outside'\n[[gas]]\ncount=120\nradius=0.5\n"
@@ -127,7 +133,8 @@ std::string rows_of_disks() {
 std::string groups_of_four() {
   std::string text = "dimension=2\n[space]\nkind='periodic'\nlower=[0,0]\nupper=[32,32]\n";
   const auto ball = [&text](double x, double y, const std::string& velocity) {
-    text += "[[ball]]\nradius=0.25\nposition=[" + std::to_string(x) + "," + std::to_string(y) + "]\nvelocity=[" + velocity + "]\n";
+    text += "[[ball]]\nradius=0.25\nposition=[" + std::to_string(x) + "," + std::to_string(y) + "]\nvelocity=[" + velocity +
+            "]\n";
   };
   for (int y = 0; y < 8; ++y)
     for (int x = 0; x < 8; ++x) {

@@ -73,11 +73,12 @@ template <int D>
 }  // namespace detail
 
 /// The velocities after an elastic impact, if they are certainly those of resolve_impact; else false, and nothing is known.
-/// r = high + low is the way from a's centre to b's, |low| <= 2^-50 of what it is a difference of. `excess` is r.r - sigma^2.
+/// r = high + low is the way from a's centre to b's, |low| <= 2^-50 of what it is a difference of. `excess` is r.r -
+/// sigma^2.
 ///
-/// r.r differs from sigma^2 by rounding only, so 1 / r.r = (1 - d) / sigma^2 with d = excess / sigma^2, and nothing is divided
-/// [papers/impact.md, eq. 12]. High and low parts are not normalised on the way; the sum is rounded once, and taken if all that
-/// lies within the errors of this evaluation and of the other is rounded to the same double [Ziv1991].
+/// r.r differs from sigma^2 by rounding only, so 1 / r.r = (1 - d) / sigma^2 with d = excess / sigma^2, and nothing is
+/// divided [papers/impact.md, eq. 12]. High and low parts are not normalised on the way; the sum is rounded once, and taken
+/// if all that lies within the errors of this evaluation and of the other is rounded to the same double [Ziv1991].
 template <int D>
 [[nodiscard]] CAROM_INLINE bool elastic_impact(const ElasticPair& pair, const double* high, const double* low, const double* va,
                                                const double* vb, double* after_a, double* after_b, double& excess) {
@@ -108,8 +109,8 @@ template <int D>
 
 /// The same for two bodies of one finite mass, all components at a time; lanes from D on are 0.
 template <int D>
-[[nodiscard]] CAROM_INLINE bool elastic_impact(const ElasticPair& pair, const WideLanes& r, const Lanes& va, const Lanes& vb,
-                                               Lanes& after_a, Lanes& after_b, double& excess) {
+[[nodiscard]] CAROM_INLINE bool elastic_impact(const ElasticPair& pair, const WideLanes& r, const Lanes& va,
+                                               const Lanes& vb, Lanes& after_a, Lanes& after_b, double& excess) {
   const WideLanes g = two_diff(va, vb), p = two_prod(g.hi, r.hi), q = two_prod(r.hi, r.hi);
   const Lanes p_low = p.lo + (g.hi * r.lo + g.lo * r.hi), q_low = q.lo + r.lo * (2.0 * r.hi + r.lo);
   const auto even = [](const Lanes& x, const Lanes& y) { return Lanes(__builtin_shufflevector(x, y, 0, 4, 2, 6)); };
@@ -134,8 +135,8 @@ template <int D>
   const Lanes rest_a = a.lo - push_low, rest_b = b.lo + push_low;
   after_a = a.hi + rest_a;
   after_b = b.hi + rest_b;
-  const LaneMask alike = (a.hi + (rest_a - doubt) == a.hi + (rest_a + doubt)) &
-                         (b.hi + (rest_b - doubt) == b.hi + (rest_b + doubt));
+  const LaneMask alike =
+      (a.hi + (rest_a - doubt) == a.hi + (rest_a + doubt)) & (b.hi + (rest_b - doubt) == b.hi + (rest_b + doubt));
   constexpr int all = (1 << D) - 1;
   return (gr.hi > doubt * pair.sigma) & (std::fabs(d) < 0x1p-46) & ((sign_bits(alike) & all) == all);
 }

@@ -179,8 +179,8 @@ CAROM_INLINE FirstFew meet_four(const PairTermsOfList<equal>& terms, std::uint64
   const Lanes b = chosen(terms.b), rr = chosen(terms.rr), a = chosen(terms.a), cross = chosen(terms.cross);
   const Lanes sum = equal ? spread(sigma) : chosen(terms.sigma);
   const Lanes ss = sum * sum, c = rr - ss, d = a * ss - cross, scale = a * rr;
-  // As meet_plainly. Where d is in doubt, more is put in its place than rounding can have taken from it; below so small a share
-  // of the scale root * q never passes.
+  // As meet_plainly. Where d is in doubt, more is put in its place than rounding can have taken from it; below so small a
+  // share of the scale root * q never passes.
   const Lanes least_d = 0x1p-13 * scale + detail::no_underflow;
   const Lanes root = sqrt(d > least_d ? d : least_d), q = root - b, t = c / q;
   const LaneMask sure = (c > detail::near_meeting * ss) & LaneMask(detail::far_from_grazing(root, q, scale));

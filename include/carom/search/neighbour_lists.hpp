@@ -13,9 +13,9 @@ namespace carom {
 
 /// What is due next for a ball, and who is near it. Two cache lines.
 struct alignas(64) Slot {
-  Time<double> first;            ///< its first meeting, or a bound below it
-  Time<double> second;           ///< its second meeting, or a bound below it
-  std::uint32_t partner;         ///< row of a ball, or a face: see Slot::wall
+  Time<double> first;     ///< its first meeting, or a bound below it
+  Time<double> second;    ///< its second meeting, or a bound below it
+  std::uint32_t partner;  ///< row of a ball, or a face: see Slot::wall
   std::uint32_t second_partner;
   std::int64_t exit;    ///< epoch at whose beginning it is still within its shell
   std::uint32_t count;  ///< neighbours

@@ -14,7 +14,8 @@ class SwarmExits {
  public:
   using Run = SwarmRun<D>;
 
-  /// The centre of a shell for ball i at t, set ahead of it on its way: by 1.2 mean free times, at most by 3/4 of its radius.
+  /// The centre of a shell for ball i at t, set ahead of it on its way: by 1.2 mean free times, at most by 3/4 of its
+  /// radius.
   CAROM_INLINE static void find_centre(const Run& run, std::uint32_t i, const Time<double>& t, double (&x)[D]) {
     const Flight<D>& ball = run.swarm.flights[i];
     const double flown = elapsed(ball.time(), t);

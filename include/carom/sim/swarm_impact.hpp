@@ -63,8 +63,8 @@ class SwarmImpact {
 
  private:
   /// As resolve_impact in law/impact.hpp.
-  [[gnu::noinline, gnu::flatten]] static void resolve(Run& run, std::uint32_t i, std::uint32_t j, const WideLanes& r, const Lanes& va,
-                                                      const Lanes& vb, Lanes& ua, Lanes& ub) {
+  [[gnu::noinline, gnu::flatten]] static void resolve(Run& run, std::uint32_t i, std::uint32_t j, const WideLanes& r,
+                                                      const Lanes& va, const Lanes& vb, Lanes& ua, Lanes& ub) {
     const WideLanes dots = sums_in_order<D>(two_diff(va, vb) * r, r * r);  // g.r, r.r
     const DoubleDouble gr = dots[0], rr = dots[1];
     note_gap(run, rr, run.swarm.template radius_of<equal>(i) + run.swarm.template radius_of<equal>(j));
@@ -122,8 +122,8 @@ class SwarmImpact {
     }
   }
 
-  /// r.r - sigma^2 means no larger gap than has been noted: it is 2 sigma times the gap, and 1.96 is below what rounding leaves
-  /// of the 2.
+  /// r.r - sigma^2 means no larger gap than has been noted: it is 2 sigma times the gap, and 1.96 is below what rounding
+  /// leaves of the 2.
   CAROM_INLINE static bool is_known(const Run& run, double excess) {
     const double sigma = run.pair.sigma;
     return std::fabs(excess) <

@@ -3,10 +3,10 @@
 //
 // One live event a ball [Lubachevsky1991], neighbour lists (search/shells.hpp), a calendar (queue/calendar.hpp). A ball
 // keeps its first meeting and its second: if the partner of the first is hit by another, the second is a bound below all
-// that are left, so it is queued in its place, and the list is gone through anew only if that one surfaces and is stale too.
-// When two balls meet is known to the one that was hit later, and to both if that was at one moment: a meeting is stale if its
-// partner's stored time has become later than the ball's own. The events are those of EventDriven, bit for bit; what is out of the
-// ordinary, a second event of a ball at one moment above all, is left to it.
+// that are left, so it is queued in its place, and the list is gone through anew only if that one surfaces and is stale
+// too. When two balls meet is known to the one that was hit later, and to both if that was at one moment: a meeting is
+// stale if its partner's stored time has become later than the ball's own. The events are those of EventDriven, bit for
+// bit; what is out of the ordinary, a second event of a ball at one moment above all, is left to it.
 
 #include <atomic>
 #include <cstdint>
@@ -142,8 +142,8 @@ class SwarmLoop {
     if (slot.due() != due) Agenda::enqueue(run, j);
   }
 
-  /// Ball i was hit at the moment of the collision before. Those around it that were hit at that moment too have looked at it as
-  /// it was, and their times do not tell: they look anew.
+  /// Ball i was hit at the moment of the collision before. Those around it that were hit at that moment too have looked at
+  /// it as it was, and their times do not tell: they look anew.
   [[gnu::noinline, gnu::flatten]] static void look_from_beside(Run& run, std::uint32_t i) {
     run.shells.for_each_piece(i, [&run, i](const std::uint32_t* near, std::uint32_t count) {
       for (std::uint32_t k = 0; k < count; ++k)

@@ -130,7 +130,8 @@ class SwarmPredictions {
       cross = x * x + y * y + z * z;
     }
     double t;
-    if (!detail::meet_plainly(b, rr - ss, ss, a * ss - cross, a * rr, t)) t = detail::careful_flight(run, i, j, image, r, g, sigma);
+    if (!detail::meet_plainly(b, rr - ss, ss, a * ss - cross, a * rr, t))
+      t = detail::careful_flight(run, i, j, image, r, g, sigma);
     return after(since, t);
   }
 

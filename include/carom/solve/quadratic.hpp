@@ -38,14 +38,16 @@ inline constexpr double no_underflow = 0x1p-960;
 // With c > (apart - 1) sigma^2 and a computed b >= 0, exactly nothing is approaching that could meet [eq. 8].
 inline constexpr double apart = 1 + 0x1p-48;
 
-/// The meeting at c / q, q = sqrt(d) - b, is known well enough from plain d [eq. 10]. `scale` = a r.r; a real or one in each lane.
+/// The meeting at c / q, q = sqrt(d) - b, is known well enough from plain d [eq. 10]. `scale` = a r.r; a real or one in
+/// each lane.
 template <class Real>
 [[nodiscard, gnu::always_inline]] inline auto far_from_grazing(const Real& root, const Real& q, const Real& scale) {
   return root * q > near_double_root * scale + no_underflow;
 }
 
 /// When two meet that are apart or coming nearer, if plain arithmetic settles that. `scale` = a r.r.
-[[nodiscard, gnu::always_inline]] inline bool meet_plainly(double b, double c, double ss, double d, double scale, double& t) {
+[[nodiscard, gnu::always_inline]] inline bool meet_plainly(double b, double c, double ss, double d, double scale,
+                                                           double& t) {
   if (!(c > near_meeting * ss)) return false;
   if (-d > no_root * scale + no_underflow) {
     t = never<double>();
